@@ -1,0 +1,41 @@
+# Flags of every target. -ffp-contract=off: the same bits on every instruction set (M39).
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(MANE_CCACHE ccache)
+if(MANE_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${MANE_CCACHE})
+endif()
+
+add_library(mane_flags INTERFACE)
+target_compile_options(mane_flags INTERFACE
+    -ffp-contract=off -fno-math-errno -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)
+
+set(MANE_SANITIZE "" CACHE STRING "sanitizers, as -fsanitize= takes them")
+if(MANE_SANITIZE)
+    add_compile_options(-fsanitize=${MANE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    add_link_options(-fsanitize=${MANE_SANITIZE})
+endif()
+
+if(EMSCRIPTEN)
+    # Emscripten sees none of the system's packages: Highway is header-only here, chosen at compile time.
+    set(MANE_HIGHWAY_INCLUDE ${CMAKE_BINARY_DIR}/include)
+    file(MAKE_DIRECTORY ${MANE_HIGHWAY_INCLUDE})
+    find_path(MANE_HIGHWAY_SYSTEM hwy/highway.h PATHS /usr/include NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+    file(CREATE_LINK ${MANE_HIGHWAY_SYSTEM}/hwy ${MANE_HIGHWAY_INCLUDE}/hwy COPY_ON_ERROR SYMBOLIC)
+    add_library(mane_highway INTERFACE)
+    target_include_directories(mane_highway SYSTEM INTERFACE ${MANE_HIGHWAY_INCLUDE})
+    add_compile_options(-msimd128 -fexceptions)
+    add_link_options(-fexceptions)
+else()
+    find_package(HWY REQUIRED)
+    find_package(Threads REQUIRED)
+    add_library(mane_highway INTERFACE)
+    target_link_libraries(mane_highway INTERFACE hwy Threads::Threads)
+endif()
