@@ -39,3 +39,6 @@ else()
     add_library(mane_highway INTERFACE)
     target_link_libraries(mane_highway INTERFACE hwy Threads::Threads)
 endif()
+
+# SSSE3 would only add to the build: every machine that has it and not SSE4 is from before 2008.
+target_compile_definitions(mane_highway INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)

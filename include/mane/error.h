@@ -5,8 +5,8 @@
 
 namespace mane {
 
-/// The user gave something that cannot be used. The message says where, what was found and what was expected;
-/// the command line prints it and ends with exit code 2.
+/// The user gave something that cannot be used. The message says where, what was found and what was
+/// expected; the command line prints it and ends with exit code 2.
 class InputError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

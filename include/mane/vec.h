@@ -11,8 +11,8 @@ template <typename T> struct Vec3T {
 
     constexpr Vec3T() = default;
     constexpr Vec3T(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
-    template <typename U>
-    constexpr explicit Vec3T(const Vec3T<U>& o) : x(T(o.x)), y(T(o.y)), z(T(o.z)) {}
+    template <typename U> constexpr explicit Vec3T(const Vec3T<U>& o)
+        : x(T(o.x)), y(T(o.y)), z(T(o.z)) {}
 
     constexpr Vec3T operator-() const { return {-x, -y, -z}; }
     constexpr Vec3T& operator+=(const Vec3T& o) { return *this = {x + o.x, y + o.y, z + o.z}; }
@@ -36,7 +36,9 @@ template <typename T> constexpr T dot(const Vec3T<T>& a, const Vec3T<T>& b) {
 template <typename T> constexpr Vec3T<T> cross(const Vec3T<T>& a, const Vec3T<T>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-template <typename T> T length(const Vec3T<T>& a) { return std::sqrt(dot(a, a)); }
+template <typename T> T length(const Vec3T<T>& a) {
+    return std::sqrt(dot(a, a));
+}
 /// `a` at length one. A zero vector stays zero, so that a caller can test for it.
 template <typename T> Vec3T<T> normalized(const Vec3T<T>& a) {
     const T l = length(a);

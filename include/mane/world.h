@@ -14,7 +14,14 @@
 namespace mane {
 
 /// The stages of §5.1, as they are timed and named everywhere.
-enum class Stage : std::uint8_t { forces, wisp_detection, character_detection, velocities, positions, count };
+enum class Stage : std::uint8_t {
+    forces,
+    wisp_detection,
+    character_detection,
+    velocities,
+    positions,
+    count
+};
 const char* stage_name(Stage stage);
 
 /// What a run did, in the paper's terms.
@@ -23,27 +30,32 @@ struct Statistics {
     std::uint64_t steps = 0;
     std::uint64_t wisp_detections = 0;
     std::uint64_t character_detections = 0;
-    std::uint64_t intersections = 0;        ///< pairs (segment, other segment it intersects), summed over detections
-    std::uint64_t friction_contacts = 0;    ///< quasi-parallel point contacts, summed over detections (§4.1)
-    std::uint64_t collision_contacts = 0;   ///< point contacts of different orientation, summed over detections (§4.1)
-    std::uint64_t sliding_contacts = 0;     ///< with the character and obstacles, summed over detections (§4.2)
+    std::uint64_t intersections =
+        0; ///< pairs (segment, other segment it intersects), summed over detections
+    std::uint64_t friction_contacts =
+        0; ///< quasi-parallel point contacts, summed over detections (§4.1)
+    std::uint64_t collision_contacts =
+        0; ///< point contacts of different orientation, summed over detections (§4.1)
+    std::uint64_t sliding_contacts =
+        0; ///< with the character and obstacles, summed over detections (§4.2)
     std::uint64_t penetration_reactions = 0; ///< points moved out, summed over detections (§4.2)
 };
 
 /// How a world runs; changes no result.
 struct RunOptions {
-    unsigned threads = 1;           ///< 0: as many as the machine has
-    std::string instruction_set;    ///< "": the best of the machine; else avx512, avx2, sse4, scalar
+    unsigned threads = 1;        ///< 0: as many as the machine has
+    std::string instruction_set; ///< "": the best of the machine; else avx512, avx2, sse4, scalar
 };
 
-/// A head of hair in motion. Frame 0 is the groom as designed, in the first body's pose at `start_time` minus the preroll,
-/// unless told otherwise; each `advance` computes one frame more (§5.1).
+/// A head of hair in motion. Frame 0 is the groom as designed, in the first body's pose at
+/// `start_time` minus the preroll, unless told otherwise; each `advance` computes one frame more
+/// (§5.1).
 class World {
   public:
-    /// Copies all it is given. Throws InputError for a step that would be unstable (M37), a root inside a body (M5), or a groom
-    /// that does not fit the first body's mesh.
-    World(const SimulationDesc& desc, const Groom& groom, std::vector<Body> bodies, double start_time = 0,
-          const RunOptions& options = {});
+    /// Copies all it is given. Throws InputError for a step that would be unstable (M37), a root
+    /// inside a body (M5), or a groom that does not fit the first body's mesh.
+    World(const SimulationDesc& desc, const Groom& groom, std::vector<Body> bodies,
+          double start_time = 0, const RunOptions& options = {});
     ~World();
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
@@ -57,7 +69,8 @@ class World {
 
     const Groom& groom() const;
     const Statistics& statistics() const;
-    /// A hash over every bit of positions, velocities, radii and rates: equal for any thread count and instruction set (M39).
+    /// A hash over every bit of positions, velocities, radii and rates: equal for any thread count
+    /// and instruction set (M39).
     std::uint64_t state_hash() const;
     /// The instruction set in use: avx512, avx2, sse4, scalar, wasm, neon.
     const char* instruction_set() const;

@@ -13,7 +13,9 @@ template <typename T> struct AlignedAllocator {
 
     AlignedAllocator() = default;
     template <typename U> AlignedAllocator(const AlignedAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), kAlignment)); }
+    T* allocate(std::size_t n) {
+        return static_cast<T*>(::operator new(n * sizeof(T), kAlignment));
+    }
     void deallocate(T* p, std::size_t) { ::operator delete(p, kAlignment); }
     bool operator==(const AlignedAllocator&) const { return true; }
 };

@@ -50,13 +50,15 @@ double arc_tangent_small(double t) {
     const double h = t / (1.0 + std::sqrt(1.0 + t * t)); // tan of half the angle, under 0.2
     const double y = h * h;
     double p = 0.0;
-    for (int k = 23; k >= 1; k -= 2) p = 1.0 / k - y * p;
+    for (int k = 23; k >= 1; k -= 2)
+        p = 1.0 / k - y * p;
     return 2.0 * h * p;
 }
 
 double arc_tangent_positive(double t) { // t in [0, 1]
     const double tan_eighth = 0.41421356237309504880;
-    if (t <= tan_eighth) return arc_tangent_small(t);
+    if (t <= tan_eighth)
+        return arc_tangent_small(t);
     return kPi / 4 + arc_tangent_small((t - 1.0) / (t + 1.0));
 }
 
@@ -76,8 +78,10 @@ double cosine(double x) {
 
 double arc_tangent(double y, double x) {
     const double ax = std::fabs(x), ay = std::fabs(y);
-    if (ax == 0.0 && ay == 0.0) return 0.0;
-    const double a = ax >= ay ? arc_tangent_positive(ay / ax) : kPi / 2 - arc_tangent_positive(ax / ay);
+    if (ax == 0.0 && ay == 0.0)
+        return 0.0;
+    const double a =
+        ax >= ay ? arc_tangent_positive(ay / ax) : kPi / 2 - arc_tangent_positive(ax / ay);
     const double upper = x < 0.0 ? kPi - a : a;
     return y < 0.0 ? -upper : upper;
 }
@@ -88,13 +92,16 @@ double arc_cosine(double x) {
 }
 
 double exponential(double x) {
-    if (x < -745.0) return 0.0;
-    if (x > 709.0) return HUGE_VAL;
+    if (x < -745.0)
+        return 0.0;
+    if (x > 709.0)
+        return HUGE_VAL;
     const double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
     const double n = std::floor(x / 0.69314718055994530942 + 0.5);
     const double r = (x - n * ln2_high) - n * ln2_low; // |r| ≤ ln 2 / 2
     double p = 1.0;
-    for (int k = 15; k >= 1; --k) p = 1.0 + p * r / k;
+    for (int k = 15; k >= 1; --k)
+        p = 1.0 + p * r / k;
     return std::ldexp(p, static_cast<int>(n));
 }
 
@@ -107,19 +114,24 @@ double logarithm(double x) {
     }
     const double h = (m - 1.0) / (m + 1.0), y = h * h; // |h| < 0.172
     double p = 0.0;
-    for (int k = 21; k >= 1; k -= 2) p = 1.0 / k + y * p;
+    for (int k = 21; k >= 1; k -= 2)
+        p = 1.0 / k + y * p;
     return 2.0 * h * p + e * 0.69314718055994530942;
 }
 
 double power(double x, double p) {
-    if (p == 0.0) return 1.0;
-    if (p == 1.0) return x;
-    if (p == 2.0) return x * x;
+    if (p == 0.0)
+        return 1.0;
+    if (p == 1.0)
+        return x;
+    if (p == 2.0)
+        return x * x;
     return exponential(p * logarithm(x));
 }
 
 double cube_root(double x) {
-    if (x == 0.0) return 0.0;
+    if (x == 0.0)
+        return 0.0;
     const double a = power(std::fabs(x), 1.0 / 3.0);
     return x < 0.0 ? -a : a;
 }

@@ -22,7 +22,8 @@ class StateHash {
     void add(float x) { add(std::uint64_t{std::bit_cast<std::uint32_t>(x)}); }
     void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
     void add(std::span<const float> xs) {
-        for (float x : xs) add(x);
+        for (float x : xs)
+            add(x);
     }
     std::uint64_t value() const { return value_; }
 

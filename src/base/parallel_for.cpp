@@ -16,10 +16,12 @@ namespace mane {
 
 #if MANE_HAS_THREADS
 
-// Our own pool, not oneTBB: the page and the wheel need it without system libraries, and ThreadSanitizer sees through it.
+// Our own pool, not oneTBB: the page and the wheel need it without system libraries, and
+// ThreadSanitizer sees through it.
 struct Threads::Pool {
     explicit Pool(unsigned workers) {
-        for (unsigned i = 0; i < workers; ++i) threads.emplace_back([this] { work(); });
+        for (unsigned i = 0; i < workers; ++i)
+            threads.emplace_back([this] { work(); });
     }
     ~Pool() {
         {
@@ -27,7 +29,8 @@ struct Threads::Pool {
             stop = true;
         }
         wake.notify_all();
-        for (std::thread& t : threads) t.join();
+        for (std::thread& t : threads)
+            t.join();
     }
 
     void run(std::size_t chunk_count, const std::function<void(std::size_t)>& loop) {
@@ -45,7 +48,8 @@ struct Threads::Pool {
         take_chunks();
         std::unique_lock lock(mutex);
         done.wait(lock, [this] { return active == 0; });
-        if (failure) std::rethrow_exception(failure);
+        if (failure)
+            std::rethrow_exception(failure);
     }
 
     void work() {
@@ -54,19 +58,22 @@ struct Threads::Pool {
             {
                 std::unique_lock lock(mutex);
                 wake.wait(lock, [&] { return stop || round != seen; });
-                if (stop) return;
+                if (stop)
+                    return;
                 seen = round;
             }
             take_chunks();
             std::lock_guard lock(mutex);
-            if (--active == 0) done.notify_one();
+            if (--active == 0)
+                done.notify_one();
         }
     }
 
     void take_chunks() {
         for (;;) {
             const std::size_t c = next.fetch_add(1, std::memory_order_relaxed);
-            if (c >= chunks) return;
+            if (c >= chunks)
+                return;
             try {
                 (*body)(c);
             } catch (...) {
@@ -89,8 +96,10 @@ struct Threads::Pool {
     bool stop = false;
 };
 
-Threads::Threads(unsigned count) : count_(count ? count : std::max(1u, std::thread::hardware_concurrency())) {
-    if (count_ > 1) pool_ = std::make_unique<Pool>(count_ - 1);
+Threads::Threads(unsigned count)
+    : count_(count ? count : std::max(1u, std::thread::hardware_concurrency())) {
+    if (count_ > 1)
+        pool_ = std::make_unique<Pool>(count_ - 1);
 }
 
 #else
@@ -109,7 +118,8 @@ void Threads::run(std::size_t chunks, const std::function<void(std::size_t)>& bo
         pool_->run(chunks, body);
         return;
     }
-    for (std::size_t c = 0; c < chunks; ++c) body(c);
+    for (std::size_t c = 0; c < chunks; ++c)
+        body(c);
 }
 
 } // namespace mane

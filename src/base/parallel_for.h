@@ -6,8 +6,9 @@
 
 namespace mane {
 
-/// A few threads that run the chunks of a loop. The chunks are the caller's and do not depend on the number of threads,
-/// so a loop whose chunks write apart gives the same bits for any number (M39). One loop at a time.
+/// A few threads that run the chunks of a loop. The chunks are the caller's and do not depend on
+/// the number of threads, so a loop whose chunks write apart gives the same bits for any number
+/// (M39). One loop at a time.
 class Threads {
   public:
     /// `count` threads in all, the calling one included; 0: as many as the machine has.
@@ -18,8 +19,8 @@ class Threads {
 
     unsigned count() const { return count_; }
 
-    /// Calls `body(c)` once for each c in [0, chunks), in any order, and returns when all are done. An exception
-    /// thrown by the lowest failing chunk is thrown again here.
+    /// Calls `body(c)` once for each c in [0, chunks), in any order, and returns when all are done.
+    /// An exception thrown by the lowest failing chunk is thrown again here.
     void run(std::size_t chunks, const std::function<void(std::size_t)>& body);
 
   private:

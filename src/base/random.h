@@ -6,15 +6,17 @@
 
 namespace mane {
 
-/// Counter-based random numbers: the n-th number of (seed, wisp, strand) depends on these four alone (M15),
-/// so any strand of any frame can be made alone, in parallel, identically.
+/// Counter-based random numbers: the n-th number of (seed, wisp, strand) depends on these four
+/// alone (M15), so any strand of any frame can be made alone, in parallel, identically.
 class Random {
   public:
     constexpr Random(std::uint64_t seed, std::uint64_t wisp, std::uint64_t strand = 0)
         : key_(mix(mix(mix(seed) ^ wisp) ^ strand)) {}
 
     /// The n-th number, uniform over all 64-bit values.
-    constexpr std::uint64_t bits(std::uint64_t n) const { return mix(key_ ^ (n * 0xd1342543de82ef95u)); }
+    constexpr std::uint64_t bits(std::uint64_t n) const {
+        return mix(key_ ^ (n * 0xd1342543de82ef95u));
+    }
 
     /// The n-th number, uniform in [0, 1), with 24 bits.
     constexpr float unit(std::uint64_t n) const {

@@ -9,8 +9,9 @@ Layout::Layout(const Groom& groom) {
     const std::size_t wisps = groom.wisp_count();
     std::vector<std::uint32_t> order(wisps);
     std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return groom.sections(a) > groom.sections(b); });
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return groom.sections(a) > groom.sections(b);
+    });
 
     slots_.resize(groom.section_count());
     wisp_of_.resize(groom.section_count());

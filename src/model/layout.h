@@ -11,8 +11,12 @@
 
 namespace mane {
 
-/// Lanes of a packet: sixteen wisps are stepped side by side, one per SIMD lane, whatever the width of the machine's vectors.
+/// Lanes of a packet: sixteen wisps are stepped side by side, one per SIMD lane, whatever the width
+/// of the machine's vectors.
 inline constexpr std::uint32_t kLanes = 16;
+
+/// Most envelope points that a cross-section may have.
+inline constexpr std::uint32_t kMaxEnvelopePoints = 8;
 
 /// Where a section lives: `row` (a section index of its packet) and `lane` (its wisp).
 struct Slot {
@@ -21,11 +25,13 @@ struct Slot {
     bool operator==(const Slot&) const = default;
 };
 
-/// `C` numbers per section in packet order: row after row, component after component, sixteen lanes side by side.
+/// `C` numbers per section in packet order: row after row, component after component, sixteen lanes
+/// side by side.
 class Rows {
   public:
     Rows() = default;
-    Rows(std::size_t rows, std::uint32_t components) : components_(components), data_(rows * components * kLanes) {}
+    Rows(std::size_t rows, std::uint32_t components)
+        : components_(components), data_(rows * components * kLanes) {}
 
     std::uint32_t components() const { return components_; }
     float* row(std::size_t r) { return data_.data() + r * components_ * kLanes; }
@@ -47,12 +53,13 @@ class Rows {
 /// Sixteen wisps with their sections as rows.
 struct Packet {
     std::uint32_t first_row = 0;
-    std::uint32_t rows = 0;                        ///< sections of its longest wisp, x₀ included
-    std::array<std::uint32_t, kLanes> wisp{};      ///< kNoWisp where a lane is empty
-    std::array<std::uint32_t, kLanes> sections{};  ///< per lane; 0 where empty
+    std::uint32_t rows = 0;                       ///< sections of its longest wisp, x₀ included
+    std::array<std::uint32_t, kLanes> wisp{};     ///< kNoWisp where a lane is empty
+    std::array<std::uint32_t, kLanes> sections{}; ///< per lane; 0 where empty
 };
 
-/// Which lane and row each section lives in. Wisps are sorted by their number of sections, so that packets are full.
+/// Which lane and row each section lives in. Wisps are sorted by their number of sections, so that
+/// packets are full.
 class Layout {
   public:
     static constexpr std::uint32_t kNoWisp = 0xffffffffu;

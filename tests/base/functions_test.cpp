@@ -19,7 +19,8 @@ TEST_CASE("own transcendental functions agree with the library's within their st
         const double c = x / 100.0;
         CHECK(std::fabs(arc_cosine(c) - std::acos(c)) < 2e-14);
         const double p = std::fabs(y) / 25.0, base = std::fabs(x) + 1e-6;
-        CHECK(std::fabs(logarithm(base) - std::log(base)) < 1e-14 * (1 + std::fabs(std::log(base))));
+        CHECK(std::fabs(logarithm(base) - std::log(base)) <
+              1e-14 * (1 + std::fabs(std::log(base))));
         CHECK(std::fabs(power(base, p) / std::pow(base, p) - 1) < 1e-12);
         CHECK(std::fabs(cube_root(x) - std::cbrt(x)) < 1e-12 * (1 + std::fabs(x)));
     }

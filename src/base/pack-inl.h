@@ -1,0 +1,178 @@
+// The one door to SIMD. A file with kernels names itself as HWY_TARGET_INCLUDE, includes
+// hwy/foreach_target.h and then this file, and is compiled once per instruction set; `Pack` is then
+// as many floats as that set's vectors hold, at most 16. Every operation is exact and rounds once
+// (no fused multiply-add, no approximate reciprocal), so all sets give the same bits.
+#if defined(MANE_BASE_PACK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MANE_BASE_PACK_INL_H
+#undef MANE_BASE_PACK_INL_H
+#else
+#define MANE_BASE_PACK_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace mane::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Tag = hn::CappedTag<float, 16>;
+
+struct Mask {
+    hn::Mask<Tag> m;
+};
+
+struct Pack {
+    hn::Vec<Tag> v;
+
+    Pack() = default;
+    HWY_INLINE Pack(hn::Vec<Tag> vector) : v(vector) {}
+    HWY_INLINE Pack(float x) : v(hn::Set(Tag(), x)) {}
+    static HWY_INLINE Pack load(const float* p) { return hn::Load(Tag(), p); }
+    HWY_INLINE void store(float* p) const { hn::Store(v, Tag(), p); }
+    HWY_INLINE Pack operator-() const { return hn::Neg(v); }
+};
+
+inline constexpr std::size_t kPackLanes = hn::MaxLanes(Tag());
+
+HWY_INLINE Pack operator+(Pack a, Pack b) {
+    return hn::Add(a.v, b.v);
+}
+HWY_INLINE Pack operator-(Pack a, Pack b) {
+    return hn::Sub(a.v, b.v);
+}
+HWY_INLINE Pack operator*(Pack a, Pack b) {
+    return hn::Mul(a.v, b.v);
+}
+HWY_INLINE Pack operator/(Pack a, Pack b) {
+    return hn::Div(a.v, b.v);
+}
+HWY_INLINE Pack square_root(Pack a) {
+    return hn::Sqrt(a.v);
+}
+HWY_INLINE Mask operator<(Pack a, Pack b) {
+    return {hn::Lt(a.v, b.v)};
+}
+HWY_INLINE Mask operator>(Pack a, Pack b) {
+    return {hn::Gt(a.v, b.v)};
+}
+/// Where the mask holds `a`, elsewhere `b`.
+HWY_INLINE Pack select(Mask m, Pack a, Pack b) {
+    return hn::IfThenElse(m.m, a.v, b.v);
+}
+HWY_INLINE Pack select_or_zero(Mask m, Pack a) {
+    return hn::IfThenElseZero(m.m, a.v);
+}
+HWY_INLINE Pack absolute(Pack a) {
+    return hn::Abs(a.v);
+}
+// Not hn::Min and Max: they differ between instruction sets in what they make of NaN and of −0.
+HWY_INLINE Pack smaller(Pack a, Pack b) {
+    return select(a < b, a, b);
+}
+HWY_INLINE Pack larger(Pack a, Pack b) {
+    return select(a > b, a, b);
+}
+/// Tiny values become zero: denormals would slow some machines down and are flushed by others
+/// (M39).
+HWY_INLINE Pack without_tiny(Pack a) {
+    return select_or_zero(absolute(a) > Pack(1e-15f), a);
+}
+
+struct Pack3 {
+    Pack x, y, z;
+
+    /// Component rows of 16 lanes, side by side.
+    static HWY_INLINE Pack3 load(const float* p) {
+        return {Pack::load(p), Pack::load(p + 16), Pack::load(p + 32)};
+    }
+    HWY_INLINE void store(float* p) const {
+        x.store(p);
+        y.store(p + 16);
+        z.store(p + 32);
+    }
+    HWY_INLINE Pack3 operator-() const { return {-x, -y, -z}; }
+};
+
+HWY_INLINE Pack3 operator+(Pack3 a, Pack3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+HWY_INLINE Pack3 operator-(Pack3 a, Pack3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+HWY_INLINE Pack3 operator*(Pack3 a, Pack s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+HWY_INLINE Pack dot(Pack3 a, Pack3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+HWY_INLINE Pack3 cross(Pack3 a, Pack3 b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+HWY_INLINE Pack3 select(Mask m, Pack3 a, Pack3 b) {
+    return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
+}
+HWY_INLINE Pack3 select_or_zero(Mask m, Pack3 a) {
+    return {select_or_zero(m, a.x), select_or_zero(m, a.y), select_or_zero(m, a.z)};
+}
+HWY_INLINE Pack3 without_tiny(Pack3 a) {
+    return {without_tiny(a.x), without_tiny(a.y), without_tiny(a.z)};
+}
+
+/// x to the power p for x > 0, relative error under 3e-6 for results between 1e-3 and 1e3.
+HWY_INLINE Pack power(Pack x, Pack p) {
+    const Tag f;
+    const hn::RebindToSigned<Tag> i;
+    // x = m 2^e with m in [√½, √2): log₂ x = e + the odd series in (m−1)/(m+1).
+    const auto bits = hn::BitCast(i, x.v);
+    const auto shifted = hn::Sub(bits, hn::Set(i, 0x3f3504f3));
+    const Pack e = hn::ConvertTo(f, hn::ShiftRight<23>(shifted));
+    const Pack m =
+        hn::BitCast(f, hn::Add(hn::And(shifted, hn::Set(i, 0x007fffff)), hn::Set(i, 0x3f3504f3)));
+    const Pack h = (m - Pack(1.f)) / (m + Pack(1.f)), y = h * h;
+    const Pack series = ((Pack(0.43182930f) * y + Pack(0.57671107f)) * y + Pack(0.96179888f)) * y +
+                        Pack(2.88539008f);
+    const Pack exponent = smaller(larger(p * (e + h * series), Pack(-120.f)), Pack(120.f));
+    const Pack n = hn::Floor((exponent + Pack(0.5f)).v);
+    const Pack r = exponent - n;
+    Pack q = Pack(1.54614447e-4f);
+    for (float c :
+         {1.34004282e-3f, 9.61805668e-3f, 5.55032723e-2f, 0.240226509f, 0.693147207f, 1.f})
+        q = q * r + Pack(c);
+    const auto scale = hn::ShiftLeft<23>(hn::Add(hn::ConvertTo(i, n.v), hn::Set(i, 127)));
+    return q * Pack(hn::BitCast(f, scale));
+}
+
+/// The bend between two unit vectors whose difference has the length 2√y (y = sin² of half the
+/// angle θ), see docs/model.md.
+struct Bend {
+    Pack angle_over_chord; ///< G = (θ/2) / sin(θ/2)
+    Pack cotangent;        ///< q = (θ/2) cot(θ/2)
+    Pack remainder;        ///< H = (1 − q) / (4y)
+};
+/// `cosine` = √(1 − y). Smooth at θ = 0 and finite up to 180°; relative error under 1e-6.
+HWY_INLINE Bend bend(Pack y, Pack cosine) {
+    // Up to 90° by polynomials in y; beyond, asin√y = π/2 − asin√(1−y) with the same polynomial.
+    const Mask sharp = y > Pack(0.5f);
+    const Pack z = select(sharp, Pack(1.f) - y, y);
+    Pack g = Pack(0.123913497f);
+    for (float c : {-0.135916278f, 0.107400022f, -7.02057919e-3f, 0.0358142406f, 0.0440916158f,
+                    0.0750275701f, 0.166666135f, 1.f})
+        g = g * z + Pack(c);
+    Pack h = Pack(0.0380981266f);
+    for (float c : {-0.03194784f, 0.0257539973f, 4.44271322e-3f, 0.013344055f, 0.0190058537f,
+                    0.0333343446f, 0.0833333284f})
+        h = h * z + Pack(c);
+    const Pack angle_over_chord =
+        select(sharp, (Pack(1.57079633f) - cosine * g) / square_root(larger(y, Pack(0.5f))), g);
+    const Pack cotangent = angle_over_chord * cosine;
+    const Pack remainder =
+        select(sharp, (Pack(1.f) - cotangent) / (Pack(4.f) * larger(y, Pack(0.5f))), h);
+    return {angle_over_chord, cotangent, remainder};
+}
+
+} // namespace mane::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "model/state.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace mane {
+
+/// An axis-aligned box.
+struct Box {
+    Vec3 low, high;
+
+    bool contains(const Vec3& p) const {
+        return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z &&
+               p.z <= high.z;
+    }
+    bool overlaps(const Box& o) const {
+        return low.x <= o.high.x && o.low.x <= high.x && low.y <= o.high.y && o.low.y <= high.y &&
+               low.z <= o.high.z && o.low.z <= high.z;
+    }
+};
+
+/// A section as contact sees it, in the order of the groom.
+struct ContactSection {
+    Vec3 x, u, v, normal;
+    float area = 0;      ///< Σ r_k r_{k+1}: the section's area up to a constant factor
+    float rest_area = 0; ///< the same in the design
+};
+
+/// Where a point lies in a segment's volume.
+struct PlaceInSegment {
+    float s = 0;     ///< along the segment, 0 to 1
+    float depth = 0; ///< 0 on the skeleton, 1 on the envelope's surface
+};
+
+/// All sections and simulated segments of the hair at one time, gathered from the packets once per
+/// detection.
+class ContactGeometry {
+  public:
+    void update(const HairView& hair);
+
+    /// First sections of all simulated segments, in order.
+    std::span<const std::uint32_t> segments() const { return segments_; }
+    const Box& box(std::size_t segment_index) const { return boxes_[segment_index]; }
+    const ContactSection& section(std::uint32_t s) const { return sections_[s]; }
+    std::span<const float> radii(std::uint32_t section) const {
+        return {radii_.data() + section * k_, k_};
+    }
+    std::uint32_t envelope_points() const { return k_; }
+    const HalfLine& half_line(std::uint32_t k) const { return half_lines_[k]; }
+    Vec3 half_line_direction(std::uint32_t section, std::uint32_t k) const;
+    /// The envelope point (section, k).
+    Vec3 envelope_point(std::uint32_t section, std::uint32_t k) const;
+
+    /// Where `p` lies between the sections j and j+1 (M14a, M21); empty where it is not between
+    /// their planes, or outside their box.
+    std::optional<PlaceInSegment> place(std::size_t segment_index, const Vec3& p) const;
+    /// The radius of a section in the direction of the section coordinates (a, b).
+    float radius_toward(std::uint32_t section, float a, float b) const;
+    /// Strand density at s of the segment, relative to rest.
+    float density(std::uint32_t segment, float s) const;
+
+  private:
+    void find_segments(const HairView& hair);
+    Box box_of(std::uint32_t segment) const;
+
+    std::uint32_t k_ = 0;
+    std::vector<HalfLine> half_lines_;
+    std::vector<std::uint32_t> segments_;
+    std::vector<ContactSection> sections_;
+    std::vector<float> radii_;
+    std::vector<Box> boxes_;
+};
+
+/// The square of the depth of section coordinates (a, b) in a section with these radii:
+/// quarter-ellipses between neighbouring half lines, or their like for other K (M14a).
+float squared_depth(std::span<const HalfLine> half_lines, std::span<const float> radii, float a,
+                    float b);
+
+} // namespace mane

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "interactions/grid.h"
+#include "interactions/segments.h"
+#include "interactions/wisp_contact.h"
+#include "mane/desc.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mane {
+
+/// Finds the contacts between wisps, and of a wisp with itself (§4.1, M21–M23).
+class WispDetection {
+  public:
+    explicit WispDetection(const WispContactDesc& desc);
+
+    /// Finds all contacts anew, in order. A contact that was there at the last call keeps its kind
+    /// within the hysteresis.
+    void detect(const HairView& hair, Threads& threads);
+
+    std::span<const WispContact> contacts() const { return contacts_; }
+    /// Pairs of segments of which one has a point inside the other, at the last call: the paper's
+    /// intersections, each once.
+    std::uint64_t intersecting_pairs() const { return intersecting_pairs_; }
+    const ContactGeometry& geometry() const { return geometry_; }
+
+  private:
+    /// What a chunk of candidate pairs found.
+    struct Found {
+        std::vector<WispContact> contacts;
+        std::uint64_t intersecting_pairs = 0;
+    };
+
+    void test_pair(const HairView& hair, const SegmentPair& pair, Found& found) const;
+    bool test_points(const HairView& hair, std::uint32_t a, std::size_t b_index,
+                     Found& found) const;
+    void test_axes(std::size_t a_index, std::size_t b_index, Found& found) const;
+    void classify(const HairView& hair, WispContact& contact, const WispContact* earlier) const;
+    void classify_all(const HairView& hair, Threads& threads);
+
+    WispContactDesc desc_;
+    float sine_parallel_, sine_parallel_leaving_, tangent_, tangent_leaving_, sine_fade_;
+    ContactGeometry geometry_;
+    SegmentGrid grid_;
+    std::vector<Found> chunks_;
+    std::vector<WispContact> contacts_, earlier_;
+    std::uint64_t intersecting_pairs_ = 0;
+};
+
+/// The direction of a wisp at a contact's point, and the velocity of that point.
+struct ContactSide {
+    Vec3 direction;
+    Vec3 velocity;
+};
+ContactSide point_side(const HairView& hair, const WispContact& contact);
+ContactSide segment_side(const HairView& hair, const WispContact& contact);
+
+} // namespace mane

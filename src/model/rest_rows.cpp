@@ -1,0 +1,62 @@
+#include "model/rest_rows.h"
+
+namespace mane {
+
+RestRows::RestRows(const Groom& groom, const Layout& layout)
+    : rows_(layout.rows(), kColumns + 2 * groom.envelope_points),
+      thickness_power_(layout.packets().size(), 1) {
+    const std::uint32_t k = groom.envelope_points;
+    for (std::size_t w = 0; w < groom.wisp_count(); ++w) {
+        const std::uint32_t first = groom.first_section[w], sections = groom.sections(w);
+        for (std::uint32_t i = 0; i < sections; ++i) {
+            const std::uint32_t s = first + i;
+            const Slot slot = layout.slot(s);
+            const auto set = [&](Rest column, float value) {
+                rows_.at(slot, static_cast<std::uint32_t>(column)) = value;
+            };
+
+            const bool has_segment = i + 1 < sections, has_joint = i >= 1 && has_segment;
+            if (has_segment)
+                set(Rest::length, groom.rest_length[s]);
+            if (has_joint) { // segment 0 is rigid, and joint i bends between segments i−1 and i
+                set(Rest::stretch, groom.stretch_stiffness[s] / groom.rest_length[s]);
+                set(Rest::stretch_damping, groom.stretch_damping[s]);
+                set(Rest::bend, groom.bend_stiffness[s]);
+                set(Rest::bend_damping, groom.bend_damping[s]);
+                set(Rest::curvature_u, groom.rest_curvature_u[s]);
+                set(Rest::curvature_v, groom.rest_curvature_v[s]);
+            }
+            double radii = 0;
+            for (std::uint32_t e = 0; e < k; ++e)
+                radii += groom.radius[s * k + e];
+            set(Rest::inverse_radius_sum, static_cast<float>(1 / radii));
+
+            if (layout.simulated(s)) {
+                const double m = groom.envelope_mass[s];
+                const double across = groom.skeleton_mass[s] + m * k / 2,
+                             along = groom.skeleton_mass[s] + m * k;
+                set(Rest::inverse_mass_across, static_cast<float>(1 / across));
+                set(Rest::inverse_mass_extra, static_cast<float>(1 / along - 1 / across));
+                set(Rest::inverse_envelope_mass, static_cast<float>(1 / m));
+                set(Rest::radial, groom.radial_stiffness[s]);
+                set(Rest::radial_damping, groom.radial_damping[s]);
+                set(Rest::ring, groom.ring_stiffness[s]);
+                set(Rest::ring_damping, groom.ring_damping[s]);
+            }
+            for (std::uint32_t e = 0; e < k; ++e) {
+                rows_.at(slot, kColumns + e) = groom.rest_radius[s * k + e];
+                rows_.at(slot, kColumns + k + e) = groom.ring_length[s * k + e];
+            }
+        }
+    }
+    for (std::size_t p = 0; p < layout.packets().size(); ++p) {
+        for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+            const std::uint32_t w = layout.packets()[p].wisp[lane];
+            const float power = w == Layout::kNoWisp ? 2.f : groom.thickness_power[w];
+            thickness_power_.row(p)[lane] = power;
+            square_thickness_ = square_thickness_ && power == 2.f;
+        }
+    }
+}
+
+} // namespace mane

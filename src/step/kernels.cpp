@@ -1,0 +1,73 @@
+#include "step/kernels.h"
+
+#include "mane/error.h"
+
+// This file is compiled once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "step/kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include "step/forces-inl.h"
+#include "step/positions-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mane::HWY_NAMESPACE {
+Kernels all_kernels() {
+    return {hwy::TargetName(HWY_TARGET), section_frames, process_forces, move_root_velocities,
+            process_positions};
+}
+} // namespace mane::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include <mutex>
+
+namespace mane {
+HWY_EXPORT(all_kernels);
+
+namespace {
+
+struct InstructionSet {
+    const char* name;
+    std::int64_t target;
+};
+constexpr InstructionSet kInstructionSets[] = {
+    {"avx512", HWY_AVX3}, {"avx2", HWY_AVX2}, {"sse4", HWY_SSE4},
+    {"neon", HWY_NEON},   {"wasm", HWY_WASM}, {"scalar", HWY_SCALAR},
+};
+
+std::string names_of(std::int64_t targets) {
+    std::string list;
+    for (const InstructionSet& set : kInstructionSets)
+        if (set.target & targets)
+            list += (list.empty() ? "" : ", ") + std::string(set.name);
+    return list;
+}
+
+} // namespace
+
+Kernels kernels_for(const std::string& instruction_set) {
+    // Highway keeps one choice per process; it is borrowed here only to read the table of kernels.
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    const std::int64_t here = (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
+    for (const InstructionSet& set : kInstructionSets) {
+        if (!(set.target & here) || (!instruction_set.empty() && instruction_set != set.name))
+            continue;
+        hwy::GetChosenTarget().Update(set.target);
+        Kernels kernels = HWY_DYNAMIC_DISPATCH(all_kernels)();
+        kernels.instruction_set = set.name;
+        hwy::GetChosenTarget().DeInit();
+        return kernels;
+    }
+    throw InputError("instruction set \"" + instruction_set +
+                     "\" is not available here; this machine has " + names_of(here));
+}
+
+RootMotion::RootMotion(std::size_t packets) {
+    for (int end : {0, 1})
+        value[end] = slope[end] = Rows(packets, 3 * count);
+}
+
+} // namespace mane
+#endif

@@ -1,0 +1,121 @@
+// Stage 4 of §5.1, the kinematic roots, and the section frames alone, sixteen wisps at a time.
+#if defined(MANE_STEP_POSITIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MANE_STEP_POSITIONS_INL_H
+#undef MANE_STEP_POSITIONS_INL_H
+#else
+#define MANE_STEP_POSITIONS_INL_H
+#endif
+
+#include "model/frames-inl.h"
+#include "step/kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mane::HWY_NAMESPACE {
+
+/// The frames that `process_forces` finds too: here alone, for a detection at the beginning of a
+/// step.
+void section_frames(const KernelData& data, std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) {
+        const Packet& packet = data.layout.packets()[p];
+        for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
+            const auto position = [&](std::size_t row) {
+                return Pack3::load(data.state.position.row(row) + lane);
+            };
+            const std::size_t root = packet.first_row;
+            Pack3 x = position(root + 1);
+            Pack3 before = direction(position(root), x).t;
+            Pack3 normal = before;
+            Pack3 u = perpendicular_unit(Pack3::load(data.root_axis.row(p) + lane), normal);
+            for (std::size_t i = 0; i < packet.rows; ++i) {
+                const std::size_t row = root + i;
+                if (i > 0) {
+                    const Mask goes_on =
+                        Pack::load(data.rest.row(row) +
+                                   static_cast<std::uint32_t>(Rest::length) * kLanes + lane) >
+                        Pack(0.f);
+                    const Pack3 x_next = i + 1 < packet.rows ? position(row + 1) : x;
+                    const Pack3 after = select(goes_on, direction(x, x_next).t, before);
+                    const Pack3 next_normal = bisector(before, after).normal;
+                    u = transport(u, normal, next_normal);
+                    normal = next_normal;
+                    before = after;
+                    x = x_next;
+                }
+                u.store(data.frames.u.row(row) + lane);
+                cross(normal, u).store(data.frames.v.row(row) + lane);
+                normal.store(data.frames.normal.row(row) + lane);
+            }
+        }
+    }
+}
+
+/// Cubic Hermite weights and their derivatives by s.
+struct Hermite {
+    Pack value[2], slope[2];
+
+    static HWY_INLINE Hermite at(float s) {
+        return {{(1 + 2 * s) * (1 - s) * (1 - s), s * s * (3 - 2 * s)},
+                {s * (1 - s) * (1 - s), s * s * (s - 1)}};
+    }
+    static HWY_INLINE Hermite rate_at(float s) {
+        return {{6 * s * s - 6 * s, 6 * s - 6 * s * s}, {3 * s * s - 4 * s + 1, 3 * s * s - 2 * s}};
+    }
+    HWY_INLINE Pack3 blend(const RootMotion& roots, RootMotion::Column column, std::size_t packet,
+                           std::size_t lane) const {
+        const std::size_t offset = column * 3 * kLanes + lane;
+        Pack3 sum = Pack3::load(roots.value[0].row(packet) + offset) * value[0];
+        sum = sum + Pack3::load(roots.value[1].row(packet) + offset) * value[1];
+        sum = sum + Pack3::load(roots.slope[0].row(packet) + offset) * slope[0];
+        return sum + Pack3::load(roots.slope[1].row(packet) + offset) * slope[1];
+    }
+};
+
+void move_root_velocities(const KernelData& data, float s, std::size_t first, std::size_t last) {
+    const Hermite rate = Hermite::rate_at(s);
+    const Pack per_second(1.f / data.roots.seconds);
+    for (std::size_t p = first; p < last; ++p) {
+        const std::size_t row = data.layout.packets()[p].first_row;
+        for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
+            (rate.blend(data.roots, RootMotion::inside, p, lane) * per_second)
+                .store(data.state.velocity.row(row) + lane);
+            (rate.blend(data.roots, RootMotion::outside, p, lane) * per_second)
+                .store(data.state.velocity.row(row + 1) + lane);
+        }
+    }
+}
+
+HWY_INLINE void advance_section(const KernelData& data, std::size_t row, std::size_t lane, Pack h) {
+    float* x = data.state.position.row(row) + lane;
+    (Pack3::load(x) + Pack3::load(data.state.velocity.row(row) + lane) * h).store(x);
+    for (std::size_t k = 0; k < data.half_lines.size(); ++k) {
+        float* radius = data.state.radius.row(row) + k * kLanes + lane;
+        float* rate = data.state.radius_rate.row(row) + k * kLanes + lane;
+        const Pack speed = Pack::load(rate), r = Pack::load(radius) + speed * h;
+        const Mask flat = r < Pack(0.f); // M9: on its half line only
+        select(flat, Pack(0.f), r).store(radius);
+        select(flat, Pack(0.f), speed).store(rate);
+    }
+}
+
+void process_positions(const KernelData& data, float s, std::size_t first, std::size_t last) {
+    const Hermite place = Hermite::at(s);
+    const Pack h(data.step);
+    for (std::size_t p = first; p < last; ++p) {
+        const Packet& packet = data.layout.packets()[p];
+        for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
+            place.blend(data.roots, RootMotion::inside, p, lane)
+                .store(data.state.position.row(packet.first_row) + lane);
+            place.blend(data.roots, RootMotion::outside, p, lane)
+                .store(data.state.position.row(packet.first_row + 1) + lane);
+            place.blend(data.roots, RootMotion::axis, p, lane).store(data.root_axis.row(p) + lane);
+        }
+        for (std::size_t row = packet.first_row + 2; row < packet.first_row + packet.rows; ++row)
+            for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes)
+                advance_section(data, row, lane, h);
+    }
+}
+
+} // namespace mane::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
