@@ -1,0 +1,133 @@
+#include "groom/balance.h"
+
+#include "groom/bend.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mane {
+namespace {
+
+void add_stretch(std::vector<Vec3d>& force, const Shape& s, const Material& m, const Rest& rest) {
+    for (std::size_t i = 1; i < s.segments(); ++i) {
+        const Vec3d pull =
+            s.tangent[i] * (m.stretch_stiffness * (s.length[i] / rest.length[i] - 1));
+        force[i] += pull;
+        force[i + 1] -= pull;
+    }
+}
+
+void add_bending(std::vector<Vec3d>& force, const Shape& s, const Rest& rest) {
+    for (std::size_t i = 1; i < s.segments(); ++i) {
+        const Bend bend = bend_between(s.tangent[i - 1], s.tangent[i]);
+        const Vec3d curvature = bend.w * bend.g;
+        const Vec3d off_rest = s.u[i] * (dot(curvature, s.u[i]) - rest.curvature_u[i]) +
+                               s.v[i] * (dot(curvature, s.v[i]) - rest.curvature_v[i]);
+        const Vec3d moment = cross(s.normal[i], bend_map(bend, off_rest)) * rest.bend_stiffness[i];
+        const Vec3d after = cross(moment, s.tangent[i]) / s.length[i];
+        const Vec3d before = cross(moment, s.tangent[i - 1]) / s.length[i - 1];
+        force[i + 1] -= after;
+        force[i] += after + before;
+        force[i - 1] -= before;
+    }
+}
+
+// A square matrix by rows.
+struct Matrix {
+    std::size_t size;
+    std::vector<double> value;
+    explicit Matrix(std::size_t n) : size(n), value(n * n) {}
+    double& at(std::size_t row, std::size_t column) { return value[row * size + column]; }
+};
+
+double& component(Vec3d& v, std::size_t axis) {
+    return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+// −∂F/∂x over the simulated sections, by central differences. Differences and not a formula: every
+// frame turns with all of the curve before it, and the forces themselves, which the step uses, are
+// what has to be judged.
+Matrix tangent_stiffness(const Shape& shape, const Material& material, const Rest& rest) {
+    const std::size_t n = shape.sections() - 2;
+    Matrix stiffness(3 * n);
+    std::vector<Vec3d> moved = shape.position;
+    for (std::size_t column = 0; column < 3 * n; ++column) {
+        double& x = component(moved[2 + column / 3], column % 3);
+        const double home = x, step = 1e-6 * shape.length[1 + column / 3];
+        const auto forces_at = [&](double value) {
+            x = value;
+            return skeleton_forces(make_shape(moved, shape.u[0]), material, rest);
+        };
+        std::vector<Vec3d> ahead = forces_at(home + step), behind = forces_at(home - step);
+        x = home;
+        for (std::size_t row = 0; row < 3 * n; ++row)
+            stiffness.at(row, column) =
+                (component(behind[2 + row / 3], row % 3) - component(ahead[2 + row / 3], row % 3)) /
+                (2 * step);
+    }
+    return stiffness;
+}
+
+void make_symmetric(Matrix& m) {
+    for (std::size_t i = 0; i < m.size; ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            m.at(i, j) = m.at(j, i) = (m.at(i, j) + m.at(j, i)) / 2;
+}
+
+// Cholesky in place; it goes through to the end for a positive definite matrix only.
+bool is_positive_definite(Matrix m) {
+    for (std::size_t j = 0; j < m.size; ++j) {
+        double pivot = m.at(j, j);
+        const double scale = pivot;
+        for (std::size_t k = 0; k < j; ++k)
+            pivot -= m.at(j, k) * m.at(j, k);
+        if (!(pivot > 1e-12 * std::fabs(scale)))
+            return false;
+        const double root = std::sqrt(pivot);
+        m.at(j, j) = root;
+        for (std::size_t i = j + 1; i < m.size; ++i) {
+            double sum = m.at(i, j);
+            for (std::size_t k = 0; k < j; ++k)
+                sum -= m.at(i, k) * m.at(j, k);
+            m.at(i, j) = sum / root;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::vector<Vec3d> skeleton_forces(const Shape& shape, const Material& material, const Rest& rest) {
+    std::vector<Vec3d> force(shape.sections());
+    add_stretch(force, shape, material, rest);
+    add_bending(force, shape, rest);
+    return force;
+}
+
+bool is_stable(const Shape& shape, const Material& material, const Rest& rest) {
+    Matrix stiffness = tangent_stiffness(shape, material, rest);
+    make_symmetric(stiffness);
+    return is_positive_definite(stiffness);
+}
+
+double stable_bending_length(const WispDesign& wisp, const Shape& shape, const Vec3d& gravity) {
+    WispDesign tried = wisp;
+    const auto holds = [&](double bending_length) {
+        tried.skeleton.bending_length = static_cast<float>(bending_length);
+        const Material material = make_material(tried, shape);
+        return is_stable(shape, material, make_rest(tried, shape, material, gravity));
+    };
+    double low = wisp.skeleton.bending_length, high = low;
+    do {
+        high *= 2;
+        if (high > 32 * low)
+            return 0;
+    } while (!holds(high));
+    while (high - low > 1e-3 * high) {
+        const double middle = (low + high) / 2;
+        (holds(middle) ? high : low) = middle;
+    }
+    return high;
+}
+
+} // namespace mane
