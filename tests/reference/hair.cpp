@@ -1,0 +1,70 @@
+#include "reference/twin.h"
+
+#include <numeric>
+
+namespace mane::reference {
+namespace {
+
+std::vector<double> section_values(const std::vector<float>& all, std::size_t first,
+                                   std::size_t last) {
+    return {all.begin() + static_cast<std::ptrdiff_t>(first),
+            all.begin() + static_cast<std::ptrdiff_t>(last)};
+}
+
+std::vector<Ring> ring_values(const std::vector<float>& all, std::size_t first, std::size_t last,
+                              std::size_t k) {
+    std::vector<Ring> rings;
+    for (std::size_t i = first; i < last; ++i)
+        rings.push_back(section_values(all, i * k, (i + 1) * k));
+    return rings;
+}
+
+double mean(const Ring& ring) {
+    return std::accumulate(ring.begin(), ring.end(), 0.0) / static_cast<double>(ring.size());
+}
+
+Wisp wisp_of(const Groom& groom, std::size_t w) {
+    const std::size_t first = groom.first_section[w], last = groom.first_section[w + 1];
+    const auto values = [&](const std::vector<float>& all) {
+        return section_values(all, first, last);
+    };
+    const auto rings = [&](const std::vector<float>& all) {
+        return ring_values(all, first, last, groom.envelope_points);
+    };
+    Wisp wisp;
+    wisp.thickness_power = static_cast<double>(groom.thickness_power[w]);
+    wisp.skeleton_mass = values(groom.skeleton_mass);
+    wisp.envelope_mass = values(groom.envelope_mass);
+    wisp.stretch_stiffness = values(groom.stretch_stiffness);
+    wisp.stretch_damping = values(groom.stretch_damping);
+    wisp.rest_length = values(groom.rest_length);
+    wisp.bend_stiffness = values(groom.bend_stiffness);
+    wisp.bend_damping = values(groom.bend_damping);
+    wisp.rest_curvature_u = values(groom.rest_curvature_u);
+    wisp.rest_curvature_v = values(groom.rest_curvature_v);
+    wisp.radial_stiffness = values(groom.radial_stiffness);
+    wisp.radial_damping = values(groom.radial_damping);
+    wisp.ring_stiffness = values(groom.ring_stiffness);
+    wisp.ring_damping = values(groom.ring_damping);
+    wisp.rest_radius = rings(groom.rest_radius);
+    wisp.ring_length = rings(groom.ring_length);
+
+    wisp.r = rings(groom.radius);
+    wisp.r_rate.assign(last - first, Ring(groom.envelope_points, 0.0));
+    wisp.v.resize(last - first);
+    wisp.air.resize(last - first);
+    for (std::size_t i = first; i < last; ++i)
+        wisp.x.emplace_back(groom.position[i]);
+    for (const Ring& ring : wisp.r)
+        wisp.design_radius.push_back(mean(ring));
+    return wisp;
+}
+
+} // namespace
+
+Hair::Hair(const Groom& groom) {
+    for (std::size_t w = 0; w < groom.wisp_count(); ++w)
+        wisps.push_back(wisp_of(groom, w));
+}
+
+} // namespace mane::reference
