@@ -67,4 +67,19 @@ Hair::Hair(const Groom& groom) {
         wisps.push_back(wisp_of(groom, w));
 }
 
+void set_state(Hair& hair, const Frame& frame) {
+    std::size_t section = 0;
+    for (std::size_t w = 0; w < hair.wisps.size(); ++w) {
+        Wisp& wisp = hair.wisps[w];
+        const std::size_t k = wisp.points();
+        wisp.u0 = Vec3d(frame.first_axis[w]);
+        for (std::size_t i = 0; i < wisp.sections(); ++i, ++section) {
+            wisp.x[i] = Vec3d(frame.position[section]);
+            wisp.v[i] = Vec3d(frame.velocity[section]);
+            wisp.r[i] = section_values(frame.radius, section * k, (section + 1) * k);
+            wisp.r_rate[i] = section_values(frame.radius_rate, section * k, (section + 1) * k);
+        }
+    }
+}
+
 } // namespace mane::reference

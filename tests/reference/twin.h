@@ -13,6 +13,7 @@
 ///   interactions.cpp  §4.1  between wisps
 ///   character.cpp     §4.2  with the character
 
+#include "mane/frame.h"
 #include "mane/groom.h"
 #include "mane/vec.h"
 
@@ -50,6 +51,10 @@ struct Hair {
     std::vector<Wisp> wisps;
     explicit Hair(const Groom& groom);
 };
+
+/// Takes positions, velocities, radii, rates and first axes from a stored frame; positions stay
+/// relative to its origin.
+void set_state(Hair& hair, const Frame& frame);
 
 /// Where the head holds a wisp: what the kinematic sections are at one time.
 struct Root {
