@@ -1,0 +1,70 @@
+#pragma once
+
+#include "mane/body.h"
+#include "mane/curves.h"
+#include "mane/desc.h"
+#include "mane/frame.h"
+#include "mane/groom.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace mane {
+
+/// Layer 3 (§3.4, §5.2): the strands of one frame, a pure function of (groom, frame, desc, seed,
+/// strand number). Nothing is stored per strand; any strand of any frame can be made alone, in
+/// parallel, with the same bits (M15).
+///
+/// Strands are numbered wisp after wisp; `desc.count` strands are spread over the wisps in
+/// proportion to `groom.strands`. A strand begins at x₀, inside the head, so that it comes out of
+/// the skin and not out of the air above it; its vertex `outside_vertex()` is in the cross-section
+/// of x₁, from where on it shows. All strands of a wisp have as many vertices.
+class StrandShape {
+  public:
+    /// Copies what it needs. Throws InputError for a frame that does not fit the groom, or no
+    /// samples.
+    StrandShape(const Groom& groom, const Frame& frame, const StrandDesc& desc, std::uint32_t seed,
+                std::uint32_t samples_per_segment = 4);
+    ~StrandShape();
+    StrandShape(StrandShape&&) noexcept;
+    StrandShape& operator=(StrandShape&&) noexcept;
+
+    std::size_t strand_count() const;
+    /// Vertices of all strands.
+    std::size_t vertex_count() const;
+    /// Index of a strand's first vertex; of `strand_count()`: the number of all vertices.
+    std::size_t first_vertex(std::size_t strand) const;
+    std::uint32_t wisp(std::size_t strand) const;
+    std::uint32_t outside_vertex() const;
+    /// Where a vertex is along its wisp: i + t is the share t of the way from section i to i + 1.
+    float parameter(std::size_t strand, std::uint32_t vertex) const;
+
+    /// Fills the vertices of the strands first … first + count − 1, one after the other:
+    /// `positions` [m] relative to the frame's origin, `widths` [m] diameters; both have
+    /// first_vertex(first + count) − first_vertex(first) entries.
+    void fill(std::size_t first, std::size_t count, std::span<Vec3> positions,
+              std::span<float> widths) const;
+
+  private:
+    struct Data;
+    std::unique_ptr<const Data> data_;
+};
+
+/// All strands of a frame at once, on `threads` threads (0: as many as the machine has).
+Curves make_strands(const Groom& groom, const Frame& frame, const StrandDesc& desc,
+                    std::uint32_t seed, std::uint32_t samples_per_segment = 4,
+                    unsigned threads = 1);
+
+/// The skeletons, smooth as drawn: one curve per wisp, from x₀; width is the mean diameter of the
+/// envelope there.
+Curves skeleton_curves(const Groom& groom, const Frame& frame,
+                       std::uint32_t samples_per_segment = 1);
+
+/// The drawn envelope (M14a): a closed surface per wisp, one after the other, with `points_round`
+/// vertices in a section, relative to the frame's origin.
+Mesh envelope_mesh(const Groom& groom, const Frame& frame, std::uint32_t samples_per_segment = 4,
+                   std::uint32_t points_round = 16);
+
+} // namespace mane
