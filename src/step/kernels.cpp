@@ -13,8 +13,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 Kernels all_kernels() {
-    return {hwy::TargetName(HWY_TARGET), section_frames, process_forces, move_root_velocities,
-            process_positions};
+    return {hwy::TargetName(HWY_TARGET), section_frames, process_forces,
+            move_root_velocities,        place_roots,    process_positions};
 }
 } // namespace mane::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -48,6 +48,8 @@ struct Kernels {
     void (*process_forces)(const KernelData&, std::size_t first, std::size_t last);
     /// Velocities of the kinematic sections at the block's time `s` in [0, 1].
     void (*move_root_velocities)(const KernelData&, float s, std::size_t first, std::size_t last);
+    /// Puts the kinematic sections to their place at `s`.
+    void (*place_roots)(const KernelData&, float s, std::size_t first, std::size_t last);
     /// Stage 4: positions from velocities; the kinematic sections go to their place at `s`.
     void (*process_positions)(const KernelData&, float s, std::size_t first, std::size_t last);
 };

@@ -97,18 +97,25 @@ HWY_INLINE void advance_section(const KernelData& data, std::size_t row, std::si
     }
 }
 
-void process_positions(const KernelData& data, float s, std::size_t first, std::size_t last) {
+void place_roots(const KernelData& data, float s, std::size_t first, std::size_t last) {
     const Hermite place = Hermite::at(s);
-    const Pack h(data.step);
     for (std::size_t p = first; p < last; ++p) {
-        const Packet& packet = data.layout.packets()[p];
+        const std::size_t row = data.layout.packets()[p].first_row;
         for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
             place.blend(data.roots, RootMotion::inside, p, lane)
-                .store(data.state.position.row(packet.first_row) + lane);
+                .store(data.state.position.row(row) + lane);
             place.blend(data.roots, RootMotion::outside, p, lane)
-                .store(data.state.position.row(packet.first_row + 1) + lane);
+                .store(data.state.position.row(row + 1) + lane);
             place.blend(data.roots, RootMotion::axis, p, lane).store(data.root_axis.row(p) + lane);
         }
+    }
+}
+
+void process_positions(const KernelData& data, float s, std::size_t first, std::size_t last) {
+    const Pack h(data.step);
+    place_roots(data, s, first, last);
+    for (std::size_t p = first; p < last; ++p) {
+        const Packet& packet = data.layout.packets()[p];
         for (std::size_t row = packet.first_row + 2; row < packet.first_row + packet.rows; ++row)
             for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes)
                 advance_section(data, row, lane, h);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "mane/body.h"
+#include "mane/groom.h"
+#include "model/layout.h"
+#include "step/kernels.h"
+
+#include <span>
+
+namespace mane {
+
+/// A root's points and first axis with their velocities, in the world.
+struct RootState {
+    Vec3 inside, outside, axis;
+    Vec3 inside_velocity, outside_velocity, axis_velocity;
+};
+
+/// Where a wisp's root is on a posed mesh: it rides its scalp triangle (M5). Positions relative to
+/// the origin of `vertices`.
+RootState root_state(const WispRoot& root, const Mesh& mesh, std::span<const Vec3> vertices,
+                     std::span<const Vec3> velocities);
+
+/// Writes the roots of all wisps into one end (0 or 1) of the block's motion.
+void follow_scalp(const Groom& groom, const Layout& layout, const Mesh& mesh,
+                  std::span<const Vec3> vertices, std::span<const Vec3> velocities, int end,
+                  RootMotion& motion);
+
+} // namespace mane

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "base/parallel_for.h"
+#include "interactions/wisp_detection.h"
+#include "interactions/wisp_response.h"
+#include "mane/world.h"
+#include "model/rest_rows.h"
+#include "model/state.h"
+#include "step/air.h"
+#include "step/kernels.h"
+#include "step/schedule.h"
+
+#include <chrono>
+
+namespace mane {
+
+/// All that a step of §5.1 reads and writes. Rest data, live state and scratch are apart.
+struct Simulation {
+    Simulation(const SimulationDesc& desc, const Groom& groom, const RunOptions& options);
+
+    // fixed
+    SimulationDesc desc;
+    Groom groom;
+    Layout layout;
+    RestRows rest;
+    std::vector<HalfLine> lines;
+    Schedule schedule;
+    Air air;
+    Kernels kernels;
+
+    // live
+    State state;
+    Rows root_axis;   ///< u₀ now, one row per packet
+    RootMotion roots; ///< over the present block
+    WispDetection wisp_detection;
+    WispResponse wisp_response;
+    Vec3d origin; ///< [m] world position of the state's origin
+
+    // scratch
+    SectionFrames frames;
+    Rows wind; ///< [m/s] at every skeleton point, where the air is not uniform
+    Threads threads;
+    Statistics statistics;
+
+    HairView hair() const { return {groom, layout, rest, state, frames, lines}; }
+    KernelData kernel_data();
+    /// Runs a kernel over all packets, side by side.
+    template <typename Work> void for_packets(Work&& work) {
+        constexpr std::size_t kPacketsPerChunk =
+            8; // about 50 µs of forces: well above the cost of waking a thread
+        const std::size_t packets = layout.packets().size();
+        threads.run((packets + kPacketsPerChunk - 1) / kPacketsPerChunk, [&](std::size_t c) {
+            work(c * kPacketsPerChunk, std::min(packets, (c + 1) * kPacketsPerChunk));
+        });
+    }
+};
+
+/// Adds the time of a scope to a stage.
+class StageTimer {
+  public:
+    StageTimer(Statistics& statistics, Stage stage)
+        : seconds_(statistics.stage_seconds[static_cast<std::size_t>(stage)]),
+          begin_(Clock::now()) {}
+    ~StageTimer() { seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    double& seconds_;
+    Clock::time_point begin_;
+};
+
+} // namespace mane
