@@ -1,0 +1,76 @@
+#pragma once
+
+#include "character/triangle_geometry.h"
+#include "character/triangle_tree.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace mane {
+
+/// A place on a surface: a point of one of its triangles.
+struct SurfacePlace {
+    std::uint32_t triangle = 0;
+    ClosestPoint closest;
+};
+
+/// Where a segment goes through a surface.
+struct Crossing {
+    std::uint32_t triangle = 0;
+    int sign = 0;  ///< +1 entering, −1 leaving
+    double at = 0; ///< 0 at the segment's start, 1 at its end
+};
+
+/// A closed triangle mesh in one pose, and what may be asked of it. Queries may run in parallel;
+/// their answers do not depend on how the triangles are sorted inside.
+class PosedSurface {
+  public:
+    PosedSurface() = default;
+    /// `triangles` must be closed and outlive the surface; `rest` (the vertices in the rest pose)
+    /// shapes the search.
+    PosedSurface(std::span<const std::array<std::uint32_t, 3>> triangles,
+                 std::span<const Vec3> rest);
+
+    /// Takes a new pose; no allocation after the first.
+    void pose(std::span<const Vec3> vertices);
+
+    std::span<const Vec3> vertices() const { return vertices_; }
+    Triangle triangle(std::uint32_t t) const;
+    /// Unit normal of a triangle, outward; zero where it has no area.
+    Vec3d normal(std::uint32_t t) const;
+
+    /// Asked of a place that would be the nearest so far: whether it counts.
+    using Accept = std::function<bool(const SurfacePlace&)>;
+    /// The place nearest to `p` within `radius` [m], among those that `accept` lets count; of
+    /// equally near triangles the lowest.
+    std::optional<SurfacePlace> nearest(const Vec3d& p, double radius,
+                                        const Accept& accept = {}) const;
+    /// The nearest place of every triangle within `radius` [m] of `p`, by rising triangle.
+    void within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const;
+    /// All crossings of the segment from `a` to `b`, by rising position, then triangle. Watertight:
+    /// see LineCrossing.
+    void crossings(const Vec3d& a, const Vec3d& b, std::vector<Crossing>& found) const;
+    /// Whether the segment from `a` to `b` goes through any triangle.
+    bool crosses(const Vec3d& a, const Vec3d& b) const;
+
+    /// How many times the surface winds round `p`: a whole number, since the mesh is closed.
+    int winding(const Vec3d& p) const;
+    /// Whether `p` is inside the union of the surface's parts: winding number ≥ ½ (M33).
+    bool inside(const Vec3d& p) const { return winding(p) > 0; }
+
+  private:
+    template <typename Visit> void along(const LineCrossing& line, double end, Visit&& visit) const;
+    bool outside_bounds(const Vec3d& p) const;
+
+    std::span<const std::array<std::uint32_t, 3>> triangles_;
+    TriangleTree tree_;
+    std::vector<Vec3> vertices_;
+    std::vector<std::array<Vec3, 3>> corners_; // the triangles in the tree's order
+};
+
+} // namespace mane

@@ -1,0 +1,139 @@
+#include "character/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace mane {
+namespace {
+
+/// An edge folded inward by more than this is a crease: 20°. Flatter ones are facets of a smooth
+/// hollow (a neck), whose interpolated normals lean by half as much at most.
+constexpr double kCreaseSine = 0.34;
+
+/// A triangle's own axes: along its first edge, across it, and its normal.
+struct Axes {
+    Vec3d origin, along, across, normal;
+};
+Axes axes_of(const Triangle& t) {
+    const Vec3d along = normalized(t.b - t.a);
+    const Vec3d normal = normalized(cross(t.b - t.a, t.c - t.a));
+    return {t.a, along, cross(normal, along), normal};
+}
+
+Vec3d turned(const Axes& from, const Axes& to, const Vec3d& d) {
+    return to.along * dot(d, from.along) + to.across * dot(d, from.across) +
+           to.normal * dot(d, from.normal);
+}
+
+} // namespace
+
+Surface::Surface(const Mesh& rest) : mesh_(close_borders(rest)) {
+    closed_vertices_.resize(mesh_.vertex_count + mesh_.cap_loops.size());
+    take(rest.vertices);
+    poses_ = {PosedSurface(mesh_.triangles, closed_vertices_),
+              PosedSurface(mesh_.triangles, closed_vertices_)};
+    find_creases(closed_vertices_);
+    find_normals();
+}
+
+void Surface::take(std::span<const Vec3> vertices) {
+    std::copy(vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(mesh_.vertex_count),
+              closed_vertices_.begin());
+    for (std::size_t cap = 0; cap < mesh_.cap_loops.size(); ++cap) {
+        Vec3d sum;
+        for (std::uint32_t v : mesh_.cap_loops[cap])
+            sum += Vec3d(vertices[v]);
+        closed_vertices_[mesh_.vertex_count + cap] =
+            Vec3(sum / static_cast<double>(mesh_.cap_loops[cap].size()));
+    }
+}
+
+void Surface::reset(std::span<const Vec3> vertices) {
+    take(vertices);
+    for (PosedSurface& p : poses_)
+        p.pose(closed_vertices_);
+    find_normals();
+    duration_ = fastest_ = 0;
+}
+
+void Surface::advance(std::span<const Vec3> vertices, double duration) {
+    start_ = 1 - start_;
+    take(vertices);
+    poses_[1 - start_].pose(closed_vertices_);
+    find_normals();
+
+    const auto from = start().vertices();
+    double farthest = 0;
+    for (std::size_t v = 0; v < closed_vertices_.size(); ++v) {
+        const Vec3d way = Vec3d(closed_vertices_[v]) - Vec3d(from[v]);
+        farthest = std::max(farthest, dot(way, way));
+    }
+    duration_ = duration;
+    fastest_ = std::sqrt(farthest) / duration;
+}
+
+// A corner is at a crease when an edge of its vertex is one. Edges with other than two triangles
+// count as well: there is no telling which pair is the surface.
+void Surface::find_creases(std::span<const Vec3> rest) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> edges;
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+        const auto& corner = mesh_.triangles[t];
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t a = corner[c], b = corner[(c + 1) % 3];
+            if (a != b)
+                edges[{std::min(a, b), std::max(a, b)}].push_back(t);
+        }
+    }
+    const auto folded_inward = [&](std::uint32_t s, std::uint32_t t) {
+        const Triangle a = poses_[0].triangle(s), b = poses_[0].triangle(t);
+        const Vec3d n = poses_[0].normal(s), m = poses_[0].normal(t);
+        const Vec3d across = (b.a + b.b + b.c) - (a.a + a.b + a.c);
+        return dot(n, across) > 0 && (length(cross(n, m)) > kCreaseSine || dot(n, m) < 0);
+    };
+    std::vector<bool> at_crease(rest.size(), false);
+    for (const auto& [edge, uses] : edges) {
+        if (uses.size() == 2 && !folded_inward(uses[0], uses[1]))
+            continue;
+        at_crease[edge.first] = at_crease[edge.second] = true;
+    }
+    crease_.resize(mesh_.triangles.size());
+    for (std::size_t t = 0; t < crease_.size(); ++t) {
+        for (std::size_t c = 0; c < 3; ++c)
+            crease_[t][c] = at_crease[mesh_.triangles[t][c]];
+    }
+}
+
+void Surface::find_normals() {
+    vertex_normals_.assign(closed_vertices_.size(), {});
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+        const Triangle corners = start().triangle(t);
+        const Vec3d weighted = cross(corners.b - corners.a, corners.c - corners.a); // by area
+        for (std::uint32_t v : mesh_.triangles[t])
+            vertex_normals_[v] += weighted;
+    }
+}
+
+Vec3d Surface::smooth_normal(const SurfacePlace& place) const {
+    const Vec3d own = start().normal(place.triangle);
+    const auto& corner = mesh_.triangles[place.triangle];
+    const auto& crease = crease_[place.triangle];
+    const auto at = [&](std::size_t c) {
+        return crease[c] ? own : normalized(vertex_normals_[corner[c]]);
+    };
+    const Vec3d& weight = place.closest.barycentric;
+    const Vec3d mean = at(0) * weight.x + at(1) * weight.y + at(2) * weight.z;
+    return dot(mean, own) > 0 ? normalized(mean) : own;
+}
+
+Vec3d Surface::carried_point(std::uint32_t t, const Vec3d& p) const {
+    const Axes from = axes_of(start().triangle(t)), to = axes_of(end().triangle(t));
+    return to.origin + turned(from, to, p - from.origin);
+}
+
+Vec3d Surface::carried_direction(std::uint32_t t, const Vec3d& d) const {
+    return turned(axes_of(start().triangle(t)), axes_of(end().triangle(t)), d);
+}
+
+} // namespace mane

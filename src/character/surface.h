@@ -1,0 +1,58 @@
+#pragma once
+
+#include "character/closing.h"
+#include "character/posed_surface.h"
+
+namespace mane {
+
+/// A body's closed surface over one detection block: its pose at the block's start and at its end.
+/// Positions are floats in metres, relative to the world's origin. Every place between moves
+/// linearly in time.
+class Surface {
+  public:
+    explicit Surface(const Mesh& rest);
+    Surface(const Surface&) = delete; // its poses refer to its triangles
+    Surface& operator=(const Surface&) = delete;
+
+    /// Both ends at one pose: at the beginning, and when the world's origin has moved. `vertices`:
+    /// the mesh's, posed.
+    void reset(std::span<const Vec3> vertices);
+    /// Goes on by one block: the end becomes the start, `vertices` [m] the pose `duration` [s]
+    /// later.
+    void advance(std::span<const Vec3> vertices, double duration);
+
+    const PosedSurface& start() const { return poses_[start_]; }
+    const PosedSurface& end() const { return poses_[1 - start_]; }
+    double duration() const { return duration_; } ///< [s] of the block
+    double fastest() const {
+        return fastest_;
+    } ///< [m/s] the highest speed of a vertex over the block
+
+    const ClosedMesh& mesh() const { return mesh_; }
+    bool cap(std::uint32_t triangle) const { return triangle >= mesh_.own_triangles; }
+
+    /// Normal at a place of the block's start, interpolated between the corners, unit. A corner at
+    /// a crease keeps its triangle's own normal: a mean over a crease would lean a plane into the
+    /// open space on its other side.
+    Vec3d smooth_normal(const SurfacePlace& place) const;
+
+    /// Carries a point along from start to end as if fixed to triangle `t`: exact where the surface
+    /// moves rigidly.
+    Vec3d carried_point(std::uint32_t t, const Vec3d& p) const;
+    Vec3d carried_direction(std::uint32_t t, const Vec3d& d) const;
+
+  private:
+    void take(std::span<const Vec3> vertices);
+    void find_creases(std::span<const Vec3> rest);
+    void find_normals();
+
+    ClosedMesh mesh_;
+    std::vector<std::array<bool, 3>> crease_; // per triangle and corner
+    std::vector<Vec3> closed_vertices_;       // the mesh's and the caps' centres
+    std::vector<Vec3d> vertex_normals_;       // at the start
+    std::array<PosedSurface, 2> poses_;
+    std::size_t start_ = 0;
+    double duration_ = 0, fastest_ = 0;
+};
+
+} // namespace mane
