@@ -37,7 +37,7 @@ struct StraightWisp {
     float length = 0.4f;          ///< [m] simulated: from x₁ to the tip
     std::uint32_t segments = 8;   ///< [1] simulated segments
     float depth = 0.01f;          ///< [m] x₀ and x₁ are this far under and above the triangle
-    Ramp radius = 0.01f;          ///< [m] from x₁ to the tip
+    Ramp radius = {0.02f, 0.01f}; ///< [m] from x₁ to the tip
     std::uint32_t strands = 1000; ///< [1]
     SkeletonDesc skeleton;
     EnvelopeDesc envelope;

@@ -1,9 +1,7 @@
 #include "groom/balance.h"
 
 #include "groom/bend.h"
-
-#include <algorithm>
-#include <cmath>
+#include "groom/matrix.h"
 
 namespace mane {
 namespace {
@@ -31,14 +29,6 @@ void add_bending(std::vector<Vec3d>& force, const Shape& s, const Rest& rest) {
         force[i - 1] -= before;
     }
 }
-
-// A square matrix by rows.
-struct Matrix {
-    std::size_t size;
-    std::vector<double> value;
-    explicit Matrix(std::size_t n) : size(n), value(n * n) {}
-    double& at(std::size_t row, std::size_t column) { return value[row * size + column]; }
-};
 
 double& component(Vec3d& v, std::size_t axis) {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -69,30 +59,9 @@ Matrix tangent_stiffness(const Shape& shape, const Material& material, const Res
 }
 
 void make_symmetric(Matrix& m) {
-    for (std::size_t i = 0; i < m.size; ++i)
+    for (std::size_t i = 0; i < m.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             m.at(i, j) = m.at(j, i) = (m.at(i, j) + m.at(j, i)) / 2;
-}
-
-// Cholesky in place; it goes through to the end for a positive definite matrix only.
-bool is_positive_definite(Matrix m) {
-    for (std::size_t j = 0; j < m.size; ++j) {
-        double pivot = m.at(j, j);
-        const double scale = pivot;
-        for (std::size_t k = 0; k < j; ++k)
-            pivot -= m.at(j, k) * m.at(j, k);
-        if (!(pivot > 1e-12 * std::fabs(scale)))
-            return false;
-        const double root = std::sqrt(pivot);
-        m.at(j, j) = root;
-        for (std::size_t i = j + 1; i < m.size; ++i) {
-            double sum = m.at(i, j);
-            for (std::size_t k = 0; k < j; ++k)
-                sum -= m.at(i, k) * m.at(j, k);
-            m.at(i, j) = sum / root;
-        }
-    }
-    return true;
 }
 
 } // namespace
@@ -107,7 +76,7 @@ std::vector<Vec3d> skeleton_forces(const Shape& shape, const Material& material,
 bool is_stable(const Shape& shape, const Material& material, const Rest& rest) {
     Matrix stiffness = tangent_stiffness(shape, material, rest);
     make_symmetric(stiffness);
-    return is_positive_definite(stiffness);
+    return is_positive_definite(stiffness, stiffness.size());
 }
 
 double stable_bending_length(const WispDesign& wisp, const Shape& shape, const Vec3d& gravity) {
