@@ -1,0 +1,44 @@
+#pragma once
+
+#include "mane/curves.h"
+#include "picture/camera.h"
+#include "picture/ray_scene.h"
+#include "picture/shadow_volume.h"
+
+#include <array>
+#include <optional>
+
+namespace mane {
+
+/// A distant soft light.
+struct Light {
+    Vec3 direction; ///< unit, toward the light
+    Vec3 radiance;
+    float spread; ///< [rad] half-angle seen from the scene
+};
+
+/// Three lights that go with the camera, key, fill and rim, a sky, and what shades them: strands by
+/// optical depth in a grid, bodies by rays.
+class Lighting {
+  public:
+    static constexpr std::size_t kLights = 3;
+
+    /// `bodies` shades and must outlive this; `strands` may be empty.
+    Lighting(const Lens& lens, const Curves& strands, float width_scale, const RayScene& bodies,
+             std::span<const Vec3> body_vertices);
+
+    const Light& light(std::size_t i) const { return lights_[i]; }
+    /// Share of light `i` that reaches `p`, per channel; `tint` is what a strand leaves of it, and
+    /// (a, b) in [0, 1)² chooses a point of the light.
+    Vec3 reaching(std::size_t i, const Vec3& p, const Vec3& tint, float a, float b) const;
+    /// Light of the sky at `p`, shaded by hair and bodies.
+    Vec3 sky(const Vec3& p) const;
+
+  private:
+    std::array<Light, kLights> lights_;
+    const RayScene& bodies_;
+    std::vector<Volume> depth_; // per light; empty without strands
+    std::optional<Volume> open_;
+};
+
+} // namespace mane
