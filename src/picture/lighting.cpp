@@ -73,7 +73,7 @@ Vec3 Lighting::reaching(std::size_t i, const Vec3& p, const Vec3& tint, float a,
         return {1, 1, 1};
     // Most of what a strand scatters goes on forward, and takes the strand's colour on.
     const float depth = depth_[i].at(p + light.direction * kCell);
-    const auto left = [depth](float c) { return std::exp(-depth * (0.75f - 0.45f * c)); };
+    const auto left = [depth](float c) { return std::exp(-depth * (1.0f - 0.5f * c)); };
     return {left(tint.x), left(tint.y), left(tint.z)};
 }
 

@@ -128,8 +128,10 @@ class Scene {
             if (lit == Vec3{})
                 continue;
             const Light& light = lighting_->light(i);
-            sum += times(times(light.radiance, lit),
-                         hair_scattering(material, hit.direction, viewer, light.direction, lit));
+            const Vec3 seen =
+                scattered_once(material, hit.direction, viewer, light.direction) +
+                scattered_often(material, hit.direction, viewer, light.direction, lit);
+            sum += times(times(light.radiance, lit), seen);
         }
         return sum;
     }
