@@ -14,20 +14,28 @@ namespace {
 /// One section's part in a contact.
 struct Part {
     Site site;
-    double weight; ///< in the relative velocity
-    int k;         ///< its envelope point, or Contact::kSkeleton
+    double weight;     ///< in the relative velocity
+    double compliance; ///< what multiplies its inverse mass in W
+    int k;             ///< its envelope point, or Contact::kSkeleton
 };
 
+/// The two ends of a segment at s. Where the head holds the first end, the other's weight counts
+/// once, not squared: a contact next to the root must not fling it at 1/s.
+void add_ends(std::vector<Part>& parts, const Site& first, double s, double sign) {
+    parts.push_back({first, sign * (1 - s), (1 - s) * (1 - s), Contact::kSkeleton});
+    parts.push_back({{first.wisp, first.section + 1},
+                     sign * s,
+                     first.section < 2 ? s : s * s,
+                     Contact::kSkeleton});
+}
+
 std::vector<Part> parts_of(const Contact& c) {
-    const Site next = {c.segment.wisp, c.segment.section + 1};
-    std::vector<Part> parts = {{c.segment, -(1 - c.s), Contact::kSkeleton},
-                               {next, -c.s, Contact::kSkeleton}};
-    if (c.k == Contact::kAxis) {
-        parts.push_back({c.point, 1 - c.along, Contact::kSkeleton});
-        parts.push_back({{c.point.wisp, c.point.section + 1}, c.along, Contact::kSkeleton});
-    } else {
-        parts.push_back({c.point, 1, c.k});
-    }
+    std::vector<Part> parts;
+    add_ends(parts, c.segment, c.s, -1);
+    if (c.k == Contact::kAxis)
+        add_ends(parts, c.point, c.along, 1);
+    else
+        parts.push_back({c.point, 1, 1, c.k});
     return parts;
 }
 
@@ -81,7 +89,7 @@ class Answer {
             return {};
         const Matrix3 skeleton = users_.skeleton.at(part.site) * inverse_inertia(part.site);
         if (part.k < 0)
-            return part.weight * part.weight * skeleton;
+            return part.compliance * skeleton;
         const Vec3d d = ray(part);
         const Matrix3 across = Matrix3::scale(1) - Matrix3::outer(d, d);
         const double alone = users_.envelope.at({part.site, part.k}) /
