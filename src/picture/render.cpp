@@ -40,13 +40,11 @@ class Scene {
         : desc_(desc),
           lens_(desc.camera ? *desc.camera : camera_for(desc.view, head, desc.frame_height),
                 frame.origin, desc.width, desc.height) {
-        std::vector<Vec3> body_vertices;
         for (const PictureBody& body : bodies) {
-            bodies_.add_mesh(body.vertices, body.triangles);
+            body_rays_.add_mesh(body.vertices, body.triangles);
             all_.add_mesh(body.vertices, body.triangles);
-            body_vertices.insert(body_vertices.end(), body.vertices.begin(), body.vertices.end());
         }
-        bodies_.commit();
+        body_rays_.commit();
         body_count_ = static_cast<std::uint32_t>(bodies.size());
 
         Curves shading;
@@ -86,7 +84,7 @@ class Scene {
             break;
         }
         all_.commit();
-        lighting_.emplace(lens_, shading, width_scale, bodies_, body_vertices);
+        lighting_.emplace(lens_, shading, width_scale, bodies, body_rays_);
     }
 
     /// Light from the picture's point (x, y) [pixels].
@@ -168,7 +166,7 @@ class Scene {
 
     const PictureDesc& desc_;
     Lens lens_;
-    RayScene all_, bodies_;
+    RayScene all_, body_rays_;
     std::uint32_t body_count_ = 0;
     std::vector<std::uint32_t> wisp_of_; // per strand, skeleton or envelope triangle
     std::optional<Lighting> lighting_;
