@@ -11,7 +11,8 @@ namespace mane {
 
 WholeFile::WholeFile(std::filesystem::path path) : path_(std::move(path)), part_(path_) {
     std::error_code ignored;
-    if (!std::filesystem::exists(path_, ignored) || std::filesystem::is_regular_file(path_, ignored))
+    if (!std::filesystem::exists(path_, ignored) ||
+        std::filesystem::is_regular_file(path_, ignored))
         part_ += ".part";
     file_ = std::fopen(part_.string().c_str(), "wb");
     if (!file_)

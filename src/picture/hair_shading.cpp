@@ -7,7 +7,7 @@ namespace mane {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kScatteredOften = 0.5f; // by eye: TT has counted much of this light already
+constexpr float kScatteredOften = 0.6f; // by eye: TT has counted much of this light already
 constexpr float kFacing = 0.0465f;      // reflectance of keratin (index 1.55) seen straight on
 
 float fresnel(float cosine) {
@@ -69,7 +69,7 @@ Vec3 scattered_often(const HairMaterial& material, const Vec3& tangent, const Ve
     const float luminance = std::max(dot(material.colour, Vec3{0.2126f, 0.7152f, 0.0722f}), 1e-3f);
     const Vec3 hue =
         power(material.colour / luminance, 1 - std::clamp((lit.x + lit.y + lit.z) / 3, 0.0f, 1.0f));
-    const Vec3 bright = power(material.colour, 0.5f);
+    const Vec3 bright = power(material.colour, 0.75f);
     return Vec3{bright.x * hue.x, bright.y * hue.y, bright.z * hue.z} * (kScatteredOften * wrapped);
 }
 

@@ -172,8 +172,10 @@ TEST_CASE("export: what cannot be written is said with its path and the reason")
         return;
     }
     CHECK(message([&] {
-              const fs::path full = folder.path / "full.obj"; // a link, as the ending tells the format
+              const fs::path full =
+                  folder.path / "full.obj"; // a link, as the ending tells the format
               fs::create_symlink("/dev/full", full);
               write_mesh(tetrahedron(), {}, full);
-          }) == "cannot write " + (folder.path / "full.obj").string() + ": No space left on device");
+          }) ==
+          "cannot write " + (folder.path / "full.obj").string() + ": No space left on device");
 }

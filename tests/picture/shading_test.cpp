@@ -21,29 +21,48 @@ Curves one_strand(const std::vector<Vec3>& points, float width) {
 TEST_CASE("shadow volume: all of a strand's shadowing width is in the grid") {
     const Curves strand =
         one_strand({{0, 0, 0}, {0.03f, -0.05f, 0.01f}, {0.02f, -0.11f, 0.02f}}, 1e-4f);
-    const Volume density = hair_density(strand, 0.004f);
+    Box box;
+    box.enclose(strand.position);
+    Volume density(box, 0.004f);
+    add_strands(strand, 2, density);
     const double sum =
         std::accumulate(density.values().begin(), density.values().end(), 0.0) * std::pow(0.004, 3);
     const double along = double{length(strand.position[1] - strand.position[0])} +
                          double{length(strand.position[2] - strand.position[1])};
-    CHECK(sum == doctest::Approx(along * 1e-4 * M_PI / 4).epsilon(1e-3));
+    CHECK(sum == doctest::Approx(2 * along * 1e-4 * M_PI / 4).epsilon(1e-3));
 }
 
 TEST_CASE("shadow volume: depth in a uniform slab is the way through it, straight and oblique") {
-    Volume slab({0, 0, 0}, {0.6f, 0.2f, 0.6f}, 0.01f);
+    Volume slab({{0, 0, 0}, {0.6f, 0.2f, 0.6f}}, 0.01f);
     for (float& v : slab.values())
         v = 3;
-    const float top = 0.01f * static_cast<float>(slab.size()[1] - 1);
+    const float bottom = -0.02f,
+                top = bottom + 0.01f * static_cast<float>(slab.size()[1] - 1); // two cells more
     const Vec3 p{0.3f, 0.05f, 0.3f};
     for (const Vec3& light :
          {Vec3{0, 1, 0}, normalized(Vec3{0.3f, 1, 0.2f}), normalized(Vec3{-0.7f, 1, 0.1f})})
         CHECK(swept_depth(slab, light).at(p) ==
               doctest::Approx(3 * (top - p.y) / light.y).epsilon(1e-3));
-    CHECK(swept_depth(slab, {0, -1, 0}).at(p) == doctest::Approx(3 * p.y).epsilon(1e-3));
+    CHECK(swept_depth(slab, {0, -1, 0}).at(p) == doctest::Approx(3 * (p.y - bottom)).epsilon(1e-3));
     const SkyDirection sky[] = {{{0, 1, 0}, 0.25f}, {{0, -1, 0}, 0.75f}};
-    CHECK(visible_sky(slab, sky).at(p) == doctest::Approx(0.25 * std::exp(-3 * double{top - p.y}) +
-                                                          0.75 * std::exp(-3 * double{p.y}))
-                                              .epsilon(1e-3));
+    CHECK(visible_sky(slab, sky).at(p) ==
+          doctest::Approx(0.25 * std::exp(-3 * double{top - p.y}) +
+                          0.75 * std::exp(-3 * double{p.y - bottom}))
+              .epsilon(1e-3));
+}
+
+TEST_CASE("shadow volume: a surface has its depth across, from large triangles and small") {
+    const std::vector<Vec3> corners{
+        {0, 0.1f, 0}, {0.3f, 0.1f, 0}, {0.3f, 0.1f, 0.3f}, {0, 0.1f, 0.3f}};
+    const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
+    Volume density({{0, 0, 0}, {0.3f, 0.2f, 0.3f}}, 0.01f);
+    add_surface(corners, triangles, 2, density);
+    CHECK(swept_depth(density, {0, 1, 0}).at({0.15f, 0, 0.1f}) ==
+          doctest::Approx(2).epsilon(0.15)); // uneven by its samples
+    CHECK(swept_depth(density, {0, 1, 0}).at({0.15f, 0.15f, 0.1f}) == 0);
+    const double sum =
+        std::accumulate(density.values().begin(), density.values().end(), 0.0) * 1e-6;
+    CHECK(sum == doctest::Approx(0.3 * 0.3 * 2).epsilon(1e-4));
 }
 
 TEST_CASE("ray scene: ribbons and meshes where they are, with tangent and normal") {
