@@ -51,7 +51,7 @@ void answer_wisp_contacts(Simulation& s, const StepPlace& place) {
 void answer_character_contacts(Simulation& s, const StepPlace& place) {
     if (!s.desc.schedule.hold_contacts && !place.first()) return;
     s.character_contacts.respond(s.hair(), s.desc.character, place.begin(), static_cast<float>(s.schedule.step_seconds()),
-                                 {s.state.velocity, s.state.radius_rate}, s.threads);
+                                 s.state, s.threads);
 }
 
 /// 1. Forces: gravity, air resistance, springs; and the first half of 3., velocities from them.
@@ -93,7 +93,7 @@ void modify_positions(Simulation& s, const StepPlace& place) {
     const StageTimer timer(s.statistics, Stage::character_detection);
     find_section_frames(s);
     s.statistics.penetration_reactions += s.character_contacts.react(s.hair(), s.bodies, s.desc.character,
-                                                                     {s.state.position, s.state.radius}, s.threads);
+                                                                     s.state, s.threads);
 }
 
 } // namespace
