@@ -63,8 +63,8 @@ struct PictureDesc {
     View view = View::three_quarter;
     double frame_height =
         0.95; ///< [m] seen by a preset view, around the head and what hangs from it
-    std::optional<Camera> camera; ///< in place of `view`
-    unsigned threads = 2;         ///< 0: as many as the machine has; changes no pixel
+    std::optional<Camera> camera = {}; ///< in place of `view`
+    unsigned threads = 2;              ///< 0: as many as the machine has; changes no pixel
 };
 
 /// The camera of a preset view.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -15,12 +14,16 @@ constexpr std::uint64_t mix(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
+/// The bits of a number. Not std::bit_cast: Emscripten's C++ library has none yet.
+inline std::uint32_t bits_of(float x) { return __builtin_bit_cast(std::uint32_t, x); }
+inline std::uint64_t bits_of(double x) { return __builtin_bit_cast(std::uint64_t, x); }
+
 /// A running hash over the bits of numbers, in order; the same on every machine.
 class StateHash {
   public:
     void add(std::uint64_t word) { value_ = mix(value_ ^ word); }
-    void add(float x) { add(std::uint64_t{std::bit_cast<std::uint32_t>(x)}); }
-    void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+    void add(float x) { add(std::uint64_t{bits_of(x)}); }
+    void add(double x) { add(bits_of(x)); }
     void add(std::span<const float> xs) {
         for (float x : xs)
             add(x);

@@ -17,7 +17,8 @@ constexpr std::size_t kSectionsPerChunk = 256;
 struct Participants {
     struct One {
         std::uint32_t section;
-        float weight; ///< in the relative velocity
+        float weight;     ///< in the relative velocity
+        float compliance; ///< what the weight's square stands for in W
         ContactPoint point;
     };
     One items[4];
@@ -25,17 +26,20 @@ struct Participants {
     void add(One one) { items[count++] = one; }
 };
 
-Participants participants(const WispContact& c) {
+Participants participants(const WispContact& c, const Layout& layout) {
     constexpr ContactPoint skeleton{ContactPoint::kSkeleton};
     Participants p;
-    if (c.point.is_axis()) {
-        p.add({c.section, 1 - c.along, skeleton});
-        p.add({c.section + 1, c.along, skeleton});
-    } else {
-        p.add({c.section, 1, c.point});
-    }
-    p.add({c.segment, c.s - 1, skeleton});
-    p.add({c.segment + 1, -c.s, skeleton});
+    const auto add_ends = [&](std::uint32_t segment, float s, float sign) {
+        p.add({segment, sign * (1 - s), (1 - s) * (1 - s), skeleton});
+        // Next to an end that the head holds, a contact at small s would fling the other end at 1/s of its velocity: there the
+        // weight counts once. That is a viscosity in series, so energy still falls.
+        p.add({segment + 1, sign * s, layout.simulated(segment) ? s * s : s, skeleton});
+    };
+    if (c.point.is_axis())
+        add_ends(c.section, c.along, 1);
+    else
+        p.add({c.section, 1, 1, c.point});
+    add_ends(c.segment, c.s, -1);
     return p;
 }
 
@@ -67,7 +71,7 @@ void WispResponse::build(const HairView& hair, Set& set, bool with_friction) con
         const WispContact& c = contacts_[i];
         if (c.kind == WispContactKind::friction && !with_friction)
             continue;
-        const Participants all = participants(c);
+        const Participants all = participants(c, hair.layout);
         bool any_moves = false;
         for (int j = 0; j < all.count; ++j)
             any_moves = any_moves || hair.layout.simulated(all.items[j].section);
@@ -95,7 +99,7 @@ void WispResponse::build(const HairView& hair, Set& set, bool with_friction) con
     set.shares.resize(set.first_share.back());
     std::vector<std::uint32_t> next(set.first_share.begin(), set.first_share.end() - 1);
     for (std::uint32_t i : set.contacts) {
-        const Participants all = participants(contacts_[i]);
+        const Participants all = participants(contacts_[i], hair.layout);
         for (int j = 0; j < all.count; ++j)
             set.shares[next[entry_of[all.items[j].section]]++] = {i, all.items[j].weight,
                                                                   all.items[j].point};
@@ -107,7 +111,7 @@ Vec3 WispResponse::impulse(const HairView& hair, const Set& set, const WispConta
                            float friction_time) const {
     const std::uint32_t k = hair.groom.envelope_points;
     Symmetric3 w;
-    const Participants all = participants(contact);
+    const Participants all = participants(contact, hair.layout);
     for (int j = 0; j < all.count; ++j) {
         const auto& one = all.items[j];
         const SectionMass mass = SectionMass::of(hair, one.section);
@@ -120,11 +124,12 @@ Vec3 WispResponse::impulse(const HairView& hair, const Set& set, const WispConta
             w += Symmetric3::outer(mass.normal, mass.extra * shared);
             w += Symmetric3::outer(d, mass.envelope * own - mass.across * shared);
         } else {
-            const float scale = one.weight * one.weight * shared;
+            const float scale = one.compliance * shared;
             w += Symmetric3::identity(mass.across * scale);
             w += Symmetric3::outer(mass.normal, mass.extra * scale);
         }
     }
+    if (!(w.trace() > 0)) return {}; // all of it is held by the head
     const ContactSide p = point_side(hair, contact), s = segment_side(hair, contact);
     const Vec3 approach = s.velocity - p.velocity;
     if (contact.kind == WispContactKind::friction) {

@@ -7,7 +7,8 @@ namespace mane {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kFacing = 0.0465f; // reflectance of keratin (index 1.55) seen straight on
+constexpr float kScatteredOften = 0.6f; // by eye: TT has counted much of this light already
+constexpr float kFacing = 0.0465f;      // reflectance of keratin (index 1.55) seen straight on
 
 float fresnel(float cosine) {
     const float c = 1 - std::clamp(cosine, 0.0f, 1.0f), c2 = c * c;
@@ -23,22 +24,10 @@ Vec3 power(const Vec3& colour, float p) {
     return {channel(colour.x), channel(colour.y), channel(colour.z)};
 }
 
-Vec3 many_strands(const Vec3& colour, const Vec3& tangent, const Vec3& viewer, const Vec3& light,
-                  const Vec3& lit) {
-    const Vec3 facing = normalized(viewer - tangent * dot(viewer, tangent));
-    const float wrapped = std::max(0.0f, (dot(facing, light) + 1) / 4) / kPi;
-    const float luminance = std::max(dot(colour, Vec3{0.2126f, 0.7152f, 0.0722f}), 1e-3f);
-    // The deeper in shadow, the more strands the light has passed, and the more saturated it is.
-    const Vec3 saturated =
-        power(colour / luminance, 1 - std::clamp((lit.x + lit.y + lit.z) / 3, 0.0f, 1.0f));
-    const Vec3 bright = power(colour, 0.5f);
-    return Vec3{bright.x * saturated.x, bright.y * saturated.y, bright.z * saturated.z} * wrapped;
-}
-
 } // namespace
 
-Vec3 hair_scattering(const HairMaterial& material, const Vec3& tangent, const Vec3& viewer,
-                     const Vec3& light, const Vec3& lit) {
+Vec3 scattered_once(const HairMaterial& material, const Vec3& tangent, const Vec3& viewer,
+                    const Vec3& light) {
     const float sin_v = std::clamp(dot(tangent, viewer), -1.0f, 1.0f);
     const float sin_l = std::clamp(dot(tangent, light), -1.0f, 1.0f);
     const float cos_d =
@@ -70,7 +59,18 @@ Vec3 hair_scattering(const HairMaterial& material, const Vec3& tangent, const Ve
                      (lobe(width * 2, angle - 4 * material.tilt) * (1 - inner) * (1 - inner) *
                       inner * std::exp(17 * cos_phi - 16.78f));
 
-    return Vec3{r, r, r} + tt + trt + many_strands(material.colour, tangent, viewer, light, lit);
+    return Vec3{r, r, r} + tt + trt;
+}
+
+Vec3 scattered_often(const HairMaterial& material, const Vec3& tangent, const Vec3& viewer,
+                     const Vec3& light, const Vec3& lit) {
+    const Vec3 facing = normalized(viewer - tangent * dot(viewer, tangent));
+    const float wrapped = std::max(0.0f, (dot(facing, light) + 1) / 4) / kPi;
+    const float luminance = std::max(dot(material.colour, Vec3{0.2126f, 0.7152f, 0.0722f}), 1e-3f);
+    const Vec3 hue =
+        power(material.colour / luminance, 1 - std::clamp((lit.x + lit.y + lit.z) / 3, 0.0f, 1.0f));
+    const Vec3 bright = power(material.colour, 0.75f);
+    return Vec3{bright.x * hue.x, bright.y * hue.y, bright.z * hue.z} * (kScatteredOften * wrapped);
 }
 
 } // namespace mane

@@ -10,9 +10,11 @@ constexpr float kCell =
     0.004f; // [m] of the lights' grids: finer than a wisp, coarser than a strand's gap
 constexpr float kSkyCell = 0.01f;   // [m] of the sky's, which is smooth
 constexpr float kRayOffset = 1e-3f; // [m] off the surface that a shadow ray leaves
+constexpr float kSkinDepth = 3;     // across the surface of the body, for the sky
+const Vec3 kNowhere{};
 const Vec3 kSky{0.80f, 0.86f, 0.95f};
 
-// Eighteen directions, to faces, edges and corners' half of a cube; brighter above.
+// To the faces and corners of a cube; brighter above.
 std::vector<SkyDirection> sky_directions() {
     std::vector<SkyDirection> sky;
     float sum = 0;
@@ -35,8 +37,8 @@ std::vector<SkyDirection> sky_directions() {
 } // namespace
 
 Lighting::Lighting(const Lens& lens, const Curves& strands, float width_scale,
-                   const RayScene& bodies, std::span<const Vec3> body_vertices)
-    : bodies_(bodies) {
+                   std::span<const PictureBody> bodies, const RayScene& body_rays)
+    : body_rays_(body_rays) {
     const Vec3 up{0, 1, 0}, right = lens.right(), back = -lens.forward();
     lights_[0] = {normalized(back * 0.8f - right * 0.7f + up * 0.9f), Vec3{1, 0.95f, 0.88f} * 3.0f,
                   0.12f};
@@ -44,20 +46,23 @@ Lighting::Lighting(const Lens& lens, const Curves& strands, float width_scale,
                   0.25f};
     lights_[2] = {normalized(back * -0.9f + right * 0.5f + up * 0.8f), Vec3{1, 0.98f, 0.95f} * 2.6f,
                   0.12f};
-    if (strands.position.empty())
-        return;
 
-    Volume density = hair_density(strands, kCell);
-    for (float& d : density.values())
-        d *= width_scale;
+    Box box;
+    box.enclose(strands.position);
+    if (strands.position.empty())
+        box.enclose({&kNowhere, 1});
+    Volume fine(box, kCell);
+    add_strands(strands, width_scale, fine);
     for (const Light& light : lights_)
-        depth_.push_back(swept_depth(density, light.direction));
-    Volume coarse = hair_density(strands, kSkyCell);
-    for (float& d : coarse.values())
-        d *= width_scale;
-    for (const Vec3& v : body_vertices)
-        coarse.splat(v, 1 / kSkyCell);
-    open_ = visible_sky(coarse, sky_directions());
+        depth_.push_back(swept_depth(fine, light.direction));
+
+    if (!bodies.empty())
+        box.enclose(bodies[0].vertices);
+    Volume coarse(box, kSkyCell);
+    add_strands(strands, width_scale, coarse);
+    if (!bodies.empty())
+        add_surface(bodies[0].vertices, bodies[0].triangles, kSkinDepth, coarse);
+    open_sky_ = visible_sky(coarse, sky_directions());
 }
 
 Vec3 Lighting::reaching(std::size_t i, const Vec3& p, const Vec3& tint, float a, float b) const {
@@ -67,18 +72,16 @@ Vec3 Lighting::reaching(std::size_t i, const Vec3& p, const Vec3& tint, float a,
     const float radius = light.spread * std::sqrt(a), angle = 6.2831853f * b;
     const Vec3 toward = normalized(light.direction + side * (radius * std::cos(angle)) +
                                    other * (radius * std::sin(angle)));
-    if (bodies_.blocked(p + toward * kRayOffset, toward))
+    if (body_rays_.blocked(p + toward * kRayOffset, toward))
         return {};
-    if (depth_.empty())
-        return {1, 1, 1};
     // Most of what a strand scatters goes on forward, and takes the strand's colour on.
     const float depth = depth_[i].at(p + light.direction * kCell);
-    const auto left = [depth](float c) { return std::exp(-depth * (0.75f - 0.45f * c)); };
+    const auto left = [depth](float c) { return std::exp(-depth * (1.0f - 0.5f * c)); };
     return {left(tint.x), left(tint.y), left(tint.z)};
 }
 
 Vec3 Lighting::sky(const Vec3& p) const {
-    return open_ ? kSky * open_->at(p) : kSky * 0.6f;
+    return kSky * open_sky_->at(p);
 }
 
 } // namespace mane

@@ -23,9 +23,10 @@ class Lighting {
   public:
     static constexpr std::size_t kLights = 3;
 
-    /// `bodies` shades and must outlive this; `strands` may be empty.
-    Lighting(const Lens& lens, const Curves& strands, float width_scale, const RayScene& bodies,
-             std::span<const Vec3> body_vertices);
+    /// `strands` may be empty; `body_rays` holds the bodies and must outlive this. Of the bodies
+    /// only the first, the character, shades the sky: an obstacle may be as large as a floor.
+    Lighting(const Lens& lens, const Curves& strands, float width_scale,
+             std::span<const PictureBody> bodies, const RayScene& body_rays);
 
     const Light& light(std::size_t i) const { return lights_[i]; }
     /// Share of light `i` that reaches `p`, per channel; `tint` is what a strand leaves of it, and
@@ -36,9 +37,9 @@ class Lighting {
 
   private:
     std::array<Light, kLights> lights_;
-    const RayScene& bodies_;
-    std::vector<Volume> depth_; // per light; empty without strands
-    std::optional<Volume> open_;
+    const RayScene& body_rays_;
+    std::vector<Volume> depth_; // per light
+    std::optional<Volume> open_sky_;
 };
 
 } // namespace mane

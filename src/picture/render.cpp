@@ -14,7 +14,7 @@
 namespace mane {
 namespace {
 
-const Vec3 kClay{0.62f, 0.47f, 0.40f}, kObstacle{0.42f, 0.45f, 0.48f};
+const Vec3 kClay{0.52f, 0.37f, 0.30f}, kObstacle{0.42f, 0.45f, 0.48f};
 
 Vec3 times(const Vec3& a, const Vec3& b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
@@ -40,13 +40,11 @@ class Scene {
         : desc_(desc),
           lens_(desc.camera ? *desc.camera : camera_for(desc.view, head, desc.frame_height),
                 frame.origin, desc.width, desc.height) {
-        std::vector<Vec3> body_vertices;
         for (const PictureBody& body : bodies) {
-            bodies_.add_mesh(body.vertices, body.triangles);
+            body_rays_.add_mesh(body.vertices, body.triangles);
             all_.add_mesh(body.vertices, body.triangles);
-            body_vertices.insert(body_vertices.end(), body.vertices.begin(), body.vertices.end());
         }
-        bodies_.commit();
+        body_rays_.commit();
         body_count_ = static_cast<std::uint32_t>(bodies.size());
 
         Curves shading;
@@ -86,7 +84,7 @@ class Scene {
             break;
         }
         all_.commit();
-        lighting_.emplace(lens_, shading, width_scale, bodies_, body_vertices);
+        lighting_.emplace(lens_, shading, width_scale, bodies, body_rays_);
     }
 
     /// Light from the picture's point (x, y) [pixels].
@@ -128,8 +126,10 @@ class Scene {
             if (lit == Vec3{})
                 continue;
             const Light& light = lighting_->light(i);
-            sum += times(times(light.radiance, lit),
-                         hair_scattering(material, hit.direction, viewer, light.direction, lit));
+            const Vec3 seen =
+                scattered_once(material, hit.direction, viewer, light.direction) +
+                scattered_often(material, hit.direction, viewer, light.direction, lit);
+            sum += times(times(light.radiance, lit), seen);
         }
         return sum;
     }
@@ -166,18 +166,20 @@ class Scene {
 
     const PictureDesc& desc_;
     Lens lens_;
-    RayScene all_, bodies_;
+    RayScene all_, body_rays_;
     std::uint32_t body_count_ = 0;
     std::vector<std::uint32_t> wisp_of_; // per strand, skeleton or envelope triangle
     std::optional<Lighting> lighting_;
 };
 
-std::uint8_t encoded(float x) {
+// One channel of a pixel; `dither` in [0, 1) instead of rounding, or smooth shades would show
+// steps.
+std::uint8_t encoded(float x, float dither) {
     const float soft =
         x < 0.6f ? x : 0.6f + 0.4f * (1 - std::exp(-(x - 0.6f) / 0.4f)); // highlights roll off
     const float srgb =
         soft <= 0.0031308f ? 12.92f * soft : 1.055f * std::pow(soft, 1 / 2.4f) - 0.055f;
-    return static_cast<std::uint8_t>(std::clamp(srgb, 0.0f, 1.0f) * 255 + 0.5f);
+    return static_cast<std::uint8_t>(std::clamp(srgb, 0.0f, 1.0f) * 254.999f + dither);
 }
 
 // Samples on a jittered grid, as square as their number allows.
@@ -211,8 +213,10 @@ Image render(const Groom& groom, const Frame& frame, const StrandDesc& strands, 
     Threads(desc.threads).run(desc.height, [&](std::size_t y) {
         for (std::uint32_t x = 0; x < desc.width; ++x) {
             const Vec3 light = pixel(scene, x, static_cast<std::uint32_t>(y), desc.samples);
-            image.pixels[y * desc.width + x] = {encoded(light.x), encoded(light.y),
-                                                encoded(light.z)};
+            const Random dither(x, y, desc.samples);
+            image.pixels[y * desc.width + x] = {encoded(light.x, dither.unit(0)),
+                                                encoded(light.y, dither.unit(1)),
+                                                encoded(light.z, dither.unit(2))};
         }
     });
     return image;

@@ -15,9 +15,20 @@ float component(const Vec3& v, int axis) {
 
 } // namespace
 
-Volume::Volume(const Vec3& low, const Vec3& high, float cell) : low_(low), cell_(cell) {
+void Box::enclose(std::span<const Vec3> points) {
+    for (const Vec3& p : points) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+}
+
+Volume::Volume(const Box& box, float cell) : cell_(cell) {
+    const float margin = 2 * cell;
+    low_ = box.low - Vec3{margin, margin, margin};
     for (int a = 0; a < 3; ++a)
-        size_[a] = 2 + static_cast<int>((component(high, a) - component(low, a)) / cell);
+        size_[a] =
+            2 + static_cast<int>(
+                    std::max(component(box.high, a) + margin - component(low_, a), margin) / cell);
     values_.resize(index(0, 0, size_[2]));
 }
 
@@ -52,29 +63,41 @@ float Volume::at(const Vec3& p) const {
     return near + (far - near) * c.share[2];
 }
 
-Volume hair_density(const Curves& strands, float cell) {
-    Vec3 low{1e9f, 1e9f, 1e9f}, high = -low;
-    for (const Vec3& p : strands.position) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    if (strands.position.empty())
-        low = high = {};
-    const Vec3 margin{2 * cell, 2 * cell, 2 * cell};
-    Volume density(low - margin, high + margin, cell);
-    const float per_volume = kMeanSine / (cell * cell * cell);
+void add_strands(const Curves& strands, float width_scale, Volume& density) {
+    const float cell = density.cell(), per_volume = kMeanSine * width_scale / (cell * cell * cell);
     for (std::size_t s = 0; s + 1 < strands.first_vertex.size(); ++s)
         for (std::uint32_t v = strands.first_vertex[s]; v + 1 < strands.first_vertex[s + 1]; ++v) {
             const Vec3 a = strands.position[v], b = strands.position[v + 1];
             const float along = length(b - a),
-                        shadow = along * 0.5f * (strands.width[v] + strands.width[v + 1]);
+                        area = along * 0.5f * (strands.width[v] + strands.width[v + 1]);
             const int pieces = 1 + static_cast<int>(along / cell);
             for (int i = 0; i < pieces; ++i)
                 density.splat(a + (b - a) *
                                       ((static_cast<float>(i) + 0.5f) / static_cast<float>(pieces)),
-                              shadow * per_volume / static_cast<float>(pieces));
+                              area * per_volume / static_cast<float>(pieces));
         }
-    return density;
+}
+
+void add_surface(std::span<const Vec3> vertices,
+                 std::span<const std::array<std::uint32_t, 3>> triangles, float depth,
+                 Volume& density) {
+    const float cell = density.cell();
+    for (const auto& [a, b, c] : triangles) {
+        const Vec3 p = vertices[a], ab = vertices[b] - p, ac = vertices[c] - p;
+        const float longest = std::max({length(ab), length(ac), length(ac - ab)});
+        const int rows = 1 + static_cast<int>(longest / cell);
+        const float n = static_cast<float>(rows);
+        const float amount = 0.5f * length(cross(ab, ac)) / (n * n) * depth / (cell * cell * cell);
+        // Centres of the rows² small triangles that the triangle divides into, upright and
+        // upside-down ones.
+        for (int i = 0; i < rows; ++i)
+            for (int j = 0; j < 2 * (rows - i) - 1; ++j) {
+                const float third = j % 2 ? 2.0f / 3 : 1.0f / 3;
+                density.splat(p + ab * ((static_cast<float>(i) + third) / n) +
+                                  ac * ((static_cast<float>(j / 2) + third) / n),
+                              amount);
+            }
+    }
 }
 
 Volume swept_depth(const Volume& density, const Vec3& light) {

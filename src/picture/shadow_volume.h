@@ -10,10 +10,16 @@
 
 namespace mane {
 
-/// Numbers on the nodes of a regular grid.
+/// A box along the axes; empty at first.
+struct Box {
+    Vec3 low{1e9f, 1e9f, 1e9f}, high{-1e9f, -1e9f, -1e9f};
+    void enclose(std::span<const Vec3> points);
+};
+
+/// Numbers on the nodes of a regular grid around a box.
 class Volume {
   public:
-    Volume(const Vec3& low, const Vec3& high, float cell);
+    Volume(const Box& box, float cell);
 
     /// Adds `amount` around `p`, shared among the eight nodes.
     void splat(const Vec3& p, float amount);
@@ -44,8 +50,14 @@ class Volume {
     std::vector<float> values_;
 };
 
-/// Optical depth per length [1/m] of the strands: their shadowing width per volume.
-Volume hair_density(const Curves& strands, float cell);
+/// Adds the strands' optical depth per length [1/m]: their shadowing width per volume, times
+/// `width_scale`.
+void add_strands(const Curves& strands, float width_scale, Volume& density);
+
+/// Adds a body's surface as a shell, a cell or two thick, of optical depth `depth` across.
+void add_surface(std::span<const Vec3> vertices,
+                 std::span<const std::array<std::uint32_t, 3>> triangles, float depth,
+                 Volume& density);
 
 /// Optical depth from every node toward a light in direction `light`: one sweep from the light's
 /// side. Each layer is read between nodes of the one before, which blurs shadows with distance as a
@@ -59,6 +71,7 @@ struct SkyDirection {
     Vec3 direction;
     float weight; ///< sum 1
 };
+/// The share of the sky that every node sees.
 Volume visible_sky(const Volume& density, std::span<const SkyDirection> sky);
 
 } // namespace mane

@@ -27,7 +27,7 @@ Air::Air(const AirDesc& desc) : mean_(desc.wind) {
     double energy = 0;
     std::uint64_t n = 0;
     for (int octave = 0; octave < kOctaves; ++octave) {
-        const double size = desc.gust_size / (1 << octave), number = 2 * kPi / size;
+        const double size = desc.gust_size * power(0.5, octave), number = 2 * kPi / size;
         const double amplitude = power(0.5, octave / 3.0); // u ~ size^⅓ (Kolmogorov)
         const double turnover = desc.gusts * amplitude * number;
         for (int i = 0; i < kWavesPerOctave; ++i, n += 8) {

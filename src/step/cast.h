@@ -1,31 +1,37 @@
 #pragma once
 
+#include "character/surface.h"
+#include "interactions/character_contact.h"
 #include "mane/body.h"
 
+#include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace mane {
 
-/// All bodies of a world in motion: their vertices and velocities at one time, relative to the
-/// world's origin.
+/// All bodies of a world in motion: their posed vertices, and their surfaces over the present detection block.
 class Cast {
   public:
     explicit Cast(std::vector<Body> bodies);
 
-    /// Poses every body at `time` [s], relative to `origin`.
-    void pose(double time, const Vec3d& origin);
+    /// Poses every body at `time` [s], relative to `origin`: at the beginning of a frame, when the origin has moved.
+    void begin(double time, const Vec3d& origin);
+    /// Poses every body at the end of a block that is over at `time`, `seconds` after it began.
+    void advance(double time, double seconds, const Vec3d& origin);
 
     std::size_t count() const { return bodies_.size(); }
     const Body& body(std::size_t b) const { return bodies_[b]; }
     const std::vector<Vec3>& vertices(std::size_t b) const { return posed_[b].vertices; }
     const std::vector<Vec3>& velocities(std::size_t b) const { return posed_[b].velocities; }
+    /// The bodies as contact sees them; valid as long as this lives.
+    std::vector<ContactBody> contact_bodies() const;
+    std::vector<std::string> names() const;
 
-    /// World position [m] at `time` of a point fixed to the first body's head, given in its rest
-    /// pose.
+    /// World position [m] at `time` of a point fixed to the first body's head, given in its rest pose.
     Vec3d on_head(const Vec3d& rest, double time) const;
-    /// Skinning of a point of the first body's rest pose, as if it were its vertex `vertex`, at
-    /// `time`.
+    /// World position [m] at `time` of a point of the first body's rest pose that moves as its vertex `vertex` does.
     Vec3d carried_like(std::size_t vertex, const Vec3d& rest, double time) const;
 
   private:
@@ -33,11 +39,12 @@ class Cast {
         std::vector<Vec3> vertices, velocities;
     };
     std::span<const BonePose> bones_at(std::size_t b, double time) const;
-    void pose_body(std::size_t b, double time, const Vec3d& origin, Posed& out) const;
+    void pose(std::size_t b, double time, const Vec3d& origin);
 
     std::vector<Body> bodies_;
     std::vector<Posed> posed_;
-    mutable std::vector<BonePose> bones_; // scratch
+    std::vector<std::unique_ptr<Surface>> surfaces_;
+    mutable std::vector<BonePose> bones_; ///< scratch
 };
 
 } // namespace mane

@@ -23,8 +23,6 @@ HWY_AFTER_NAMESPACE();
 #include <mutex>
 
 namespace mane {
-HWY_EXPORT(all_kernels);
-
 namespace {
 
 struct InstructionSet {
@@ -39,34 +37,48 @@ constexpr InstructionSet kInstructionSets[] = {
 std::string names_of(std::int64_t targets) {
     std::string list;
     for (const InstructionSet& set : kInstructionSets)
-        if (set.target & targets)
-            list += (list.empty() ? "" : ", ") + std::string(set.name);
+        if (set.target & targets) list += (list.empty() ? "" : ", ") + std::string(set.name);
     return list;
 }
+
+#if HWY_HAVE_RUNTIME_DISPATCH
+
+HWY_EXPORT(all_kernels);
+
+std::int64_t sets_here() { return (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS; }
+
+Kernels kernels_of(std::int64_t target) {
+    // Highway keeps one choice per process; it is borrowed here only to read the table of kernels.
+    static std::mutex mutex;
+    const std::lock_guard lock(mutex);
+    hwy::GetChosenTarget().Update(target);
+    const Kernels kernels = HWY_DYNAMIC_DISPATCH(all_kernels)();
+    hwy::GetChosenTarget().DeInit();
+    return kernels;
+}
+
+#else // one set, chosen when the page was built
+
+std::int64_t sets_here() { return HWY_STATIC_TARGET; }
+Kernels kernels_of(std::int64_t) { return HWY_STATIC_DISPATCH(all_kernels)(); }
+
+#endif
 
 } // namespace
 
 Kernels kernels_for(const std::string& instruction_set) {
-    // Highway keeps one choice per process; it is borrowed here only to read the table of kernels.
-    static std::mutex mutex;
-    const std::lock_guard lock(mutex);
-    const std::int64_t here = (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
     for (const InstructionSet& set : kInstructionSets) {
-        if (!(set.target & here) || (!instruction_set.empty() && instruction_set != set.name))
-            continue;
-        hwy::GetChosenTarget().Update(set.target);
-        Kernels kernels = HWY_DYNAMIC_DISPATCH(all_kernels)();
+        if (!(set.target & sets_here()) || (!instruction_set.empty() && instruction_set != set.name)) continue;
+        Kernels kernels = kernels_of(set.target);
         kernels.instruction_set = set.name;
-        hwy::GetChosenTarget().DeInit();
         return kernels;
     }
-    throw InputError("instruction set \"" + instruction_set +
-                     "\" is not available here; this machine has " + names_of(here));
+    throw InputError("instruction set \"" + instruction_set + "\" is not available here; this machine has " +
+                     names_of(sets_here()));
 }
 
 RootMotion::RootMotion(std::size_t packets) {
-    for (int end : {0, 1})
-        value[end] = slope[end] = Rows(packets, 3 * count);
+    for (int end : {0, 1}) value[end] = slope[end] = Rows(packets, 3 * count);
 }
 
 } // namespace mane

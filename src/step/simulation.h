@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/parallel_for.h"
+#include "interactions/character_contact.h"
 #include "interactions/wisp_detection.h"
 #include "interactions/wisp_response.h"
 #include "mane/world.h"
@@ -34,6 +35,8 @@ struct Simulation {
     RootMotion roots; ///< over the present block
     WispDetection wisp_detection;
     WispResponse wisp_response;
+    CharacterContacts character_contacts;
+    std::vector<ContactBody> bodies; ///< their surfaces over the present block
     Vec3d origin; ///< [m] world position of the state's origin
 
     // scratch

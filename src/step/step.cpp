@@ -1,85 +1,110 @@
 #include "step/step.h"
 
+#include "interactions/literal_response.h"
+
 namespace mane {
 namespace {
 
 void feel_wind(Simulation& s, double time) {
-    if (s.air.is_uniform())
-        return;
+    if (s.air.is_uniform()) return;
     for (std::uint32_t section = 0; section < s.groom.section_count(); ++section) {
         const Slot slot = s.layout.slot(section);
         s.wind.set(slot, s.air.velocity(s.origin + Vec3d(s.state.position.vec(slot)), time));
     }
 }
 
+void find_section_frames(Simulation& s) {
+    const KernelData data = s.kernel_data();
+    s.for_packets([&](std::size_t first, std::size_t last) { s.kernels.section_frames(data, first, last); });
+}
+
 void detect_wisp_contacts(Simulation& s) {
-    if (s.desc.wisps.mode == WispContactMode::off)
-        return;
     const StageTimer timer(s.statistics, Stage::wisp_detection);
     s.wisp_detection.detect(s.hair(), s.threads);
     s.wisp_response.engage(s.hair(), s.wisp_detection.contacts());
     ++s.statistics.wisp_detections;
     s.statistics.intersections += s.wisp_detection.intersecting_pairs();
     for (const WispContact& c : s.wisp_detection.contacts())
-        ++(c.kind == WispContactKind::friction ? s.statistics.friction_contacts
-                                               : s.statistics.collision_contacts);
+        ++(c.kind == WispContactKind::friction ? s.statistics.friction_contacts : s.statistics.collision_contacts);
 }
 
-/// 2. Interactions between pairs of wisps, and between wisps and the character. Forces and
-/// detection read the same state and write apart, so detection may come first; then forces flow
-/// straight into the velocities.
-void detect_interactions(Simulation& s, const StepPlace& place) {
-    if (!place.first())
-        return;
-    const KernelData data = s.kernel_data();
-    s.for_packets(
-        [&](std::size_t first, std::size_t last) { s.kernels.section_frames(data, first, last); });
-    if (place.detects_wisps)
-        detect_wisp_contacts(s);
+void detect_character_contacts(Simulation& s) {
+    const StageTimer timer(s.statistics, Stage::character_detection);
+    s.character_contacts.detect(s.hair(), s.bodies, s.desc.character, s.threads);
+    ++s.statistics.character_detections;
+    s.statistics.sliding_contacts += s.character_contacts.count();
 }
 
-/// 1. Gravity, air resistance, springs; and the first half of 3., velocities from them.
+/// Quasi-parallel contacts are answered once per block for its whole length, collisions at every step (M36); nothing is held for
+/// `paper-literal`.
+void answer_wisp_contacts(Simulation& s, const StepPlace& place) {
+    const bool found_now = place.first() && place.detects_wisps;
+    if (!s.desc.schedule.hold_contacts && !found_now) return;
+    if (s.desc.wisps.literal) {
+        const float step = static_cast<float>(s.schedule.step_seconds());
+        respond_literally(s.hair(), s.wisp_detection.contacts(), s.desc.wisps, step, s.state);
+    } else {
+        s.wisp_response.apply(s.hair(), s.state, place.first() ? s.roots.seconds : 0.f, s.threads);
+    }
+}
+
+void answer_character_contacts(Simulation& s, const StepPlace& place) {
+    if (!s.desc.schedule.hold_contacts && !place.first()) return;
+    s.character_contacts.respond(s.hair(), s.desc.character, place.begin(), static_cast<float>(s.schedule.step_seconds()),
+                                 {s.state.velocity, s.state.radius_rate}, s.threads);
+}
+
+/// 1. Forces: gravity, air resistance, springs; and the first half of 3., velocities from them.
 void process_forces(Simulation& s) {
     const StageTimer timer(s.statistics, Stage::forces);
     const KernelData data = s.kernel_data();
-    s.for_packets(
-        [&](std::size_t first, std::size_t last) { s.kernels.process_forces(data, first, last); });
+    s.for_packets([&](std::size_t first, std::size_t last) { s.kernels.process_forces(data, first, last); });
 }
 
-/// 3. The velocity modifications. Quasi-parallel contacts are answered once per block for its whole
-/// length, collisions at every step (M36); nothing is held for `paper-literal`.
+/// 2. Interactions between pairs of wisps, and between wisps and the character. Forces and detection read the same state
+/// and write apart, so detection may come first; then forces flow straight into the velocities.
+void detect_interactions(Simulation& s, const StepPlace& place) {
+    if (!place.first()) return;
+    find_section_frames(s);
+    if (place.detects_wisps && s.desc.wisps.mode != WispContactMode::off) detect_wisp_contacts(s);
+    detect_character_contacts(s);
+}
+
+/// 3. The velocity modifications. The character comes last: what wisps do to each other must not push one into it.
 void modify_velocities(Simulation& s, const StepPlace& place) {
     const StageTimer timer(s.statistics, Stage::velocities);
     const KernelData data = s.kernel_data();
-    s.for_packets([&](std::size_t first, std::size_t last) {
-        s.kernels.move_root_velocities(data, place.end(), first, last);
-    });
-    if (s.desc.wisps.mode == WispContactMode::off)
-        return;
-    if (!s.desc.schedule.hold_contacts && !(place.first() && place.detects_wisps))
-        return;
-    const float friction_time = place.first() ? s.roots.seconds : 0.f;
-    s.wisp_response.apply(s.hair(), s.state, friction_time, s.threads);
+    s.for_packets(
+        [&](std::size_t first, std::size_t last) { s.kernels.move_root_velocities(data, place.end(), first, last); });
+    if (s.desc.wisps.mode != WispContactMode::off) answer_wisp_contacts(s, place);
+    answer_character_contacts(s, place);
 }
 
 /// 4. Positions from the new velocities.
 void process_positions(Simulation& s, const StepPlace& place) {
     const StageTimer timer(s.statistics, Stage::positions);
     const KernelData data = s.kernel_data();
-    s.for_packets([&](std::size_t first, std::size_t last) {
-        s.kernels.process_positions(data, place.end(), first, last);
-    });
+    s.for_packets([&](std::size_t first, std::size_t last) { s.kernels.process_positions(data, place.end(), first, last); });
+}
+
+/// 4. The position modifications: on the new positions, against the character at the step's end.
+void modify_positions(Simulation& s, const StepPlace& place) {
+    if (!place.last()) return;
+    const StageTimer timer(s.statistics, Stage::character_detection);
+    find_section_frames(s);
+    s.statistics.penetration_reactions += s.character_contacts.react(s.hair(), s.bodies, s.desc.character,
+                                                                     {s.state.position, s.state.radius}, s.threads);
 }
 
 } // namespace
 
 void step(Simulation& s, const StepPlace& place, double time) {
-    if (place.first())
-        feel_wind(s, time);
+    if (place.first()) feel_wind(s, time);
     detect_interactions(s, place);
     process_forces(s);
     modify_velocities(s, place);
     process_positions(s, place);
+    modify_positions(s, place);
     ++s.statistics.steps;
 }
 

@@ -13,7 +13,8 @@ struct StepPlace {
 
     bool first() const { return index == 0; }
     bool last() const { return index + 1 == steps; }
-    /// Time at the step's end, 0 to 1 over the block.
+    /// Time at the step's beginning and end, 0 to 1 over the block.
+    float begin() const { return static_cast<float>(index) / static_cast<float>(steps); }
     float end() const { return static_cast<float>(index + 1) / static_cast<float>(steps); }
 };
 

@@ -1,6 +1,7 @@
 #include "mane/world.h"
 
 #include "base/hash.h"
+#include "groom/stability.h"
 #include "step/cast.h"
 #include "step/placement.h"
 #include "step/roots.h"
@@ -47,14 +48,18 @@ struct World::Data {
          double start_time, const RunOptions& options)
         : simulation(desc, groom, options), cast(std::move(bodies)), start(start_time) {
         head_middle = middle_of_roots();
+        require_stable_step(simulation.groom, double{desc.air.drag}, simulation.schedule.step_seconds());
         simulation.origin = nearby_origin(start);
-        cast.pose(start, simulation.origin);
+        simulation.bodies = cast.contact_bodies();
+        cast.begin(start, simulation.origin);
         place_groom(simulation, cast, start);
         enter_block(start, simulation.schedule.step_seconds());
         const KernelData data = simulation.kernel_data();
         const std::size_t packets = simulation.layout.packets().size();
         simulation.kernels.move_root_velocities(data, 0, 0, packets);
         simulation.kernels.place_roots(data, 0, 0, packets);
+        simulation.kernels.section_frames(data, 0, packets);
+        check_roots(simulation.hair(), simulation.bodies, cast.names());
         publish();
     }
 
@@ -88,7 +93,7 @@ struct World::Data {
             const Slot slot = simulation.layout.slot(section);
             simulation.state.position.set(slot, simulation.state.position.vec(slot) + shift);
         }
-        cast.pose(time, simulation.origin);
+        cast.begin(time, simulation.origin);
     }
 
     /// Leads the roots from where the bodies are posed now to where they will be `seconds` later,
@@ -96,7 +101,7 @@ struct World::Data {
     void enter_block(double time, double seconds) {
         simulation.roots.seconds = static_cast<float>(seconds);
         follow_roots(0);
-        cast.pose(time + seconds, simulation.origin);
+        cast.advance(time + seconds, seconds, simulation.origin);
         follow_roots(1);
     }
     void follow_roots(int end) {

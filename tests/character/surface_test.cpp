@@ -1,6 +1,6 @@
 #include "base/random.h"
-#include "character/brute_surface.h"
-#include "character/meshes.h"
+#include "bodies/brute_surface.h"
+#include "bodies/meshes.h"
 #include "character/surface.h"
 
 #include <doctest/doctest.h>

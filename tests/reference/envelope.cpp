@@ -58,30 +58,13 @@ Ring envelope_forces(const Wisp& wisp, std::size_t i) {
     return force;
 }
 
-SectionInertia::SectionInertia(const Wisp& wisp, const SectionFrame& frame, std::size_t i) {
-    const double m = wisp.envelope_mass[i];
-    const double all = wisp.skeleton_mass[i] + static_cast<double>(wisp.points()) * m;
-    row_[0] = {all, 0, 0};
-    row_[1] = {0, all, 0};
-    row_[2] = {0, 0, all};
+Matrix3 section_inertia(const Wisp& wisp, const SectionFrame& frame, std::size_t i) {
+    Matrix3 T = Matrix3::scale(wisp.skeleton_mass[i]);
     for (std::size_t k = 0; k < wisp.points(); ++k) {
         const Vec3d d = half_line(frame, k, wisp.points());
-        row_[0] -= m * d.x * d;
-        row_[1] -= m * d.y * d;
-        row_[2] -= m * d.z * d;
+        T += wisp.envelope_mass[i] * (Matrix3::scale(1) - Matrix3::outer(d, d));
     }
-}
-
-Vec3d SectionInertia::times(const Vec3d& velocity) const {
-    return {dot(row_[0], velocity), dot(row_[1], velocity), dot(row_[2], velocity)};
-}
-
-Vec3d SectionInertia::solve(const Vec3d& force) const {
-    // The matrix is symmetric: its rows are its columns, and Cramer's rule reads directly.
-    const double determinant = dot(row_[0], cross(row_[1], row_[2]));
-    return Vec3d{dot(force, cross(row_[1], row_[2])), dot(row_[0], cross(force, row_[2])),
-                 dot(row_[0], cross(row_[1], force))} /
-           determinant;
+    return T;
 }
 
 } // namespace mane::reference

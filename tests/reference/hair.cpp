@@ -1,7 +1,5 @@
 #include "reference/twin.h"
 
-#include <numeric>
-
 namespace mane::reference {
 namespace {
 
@@ -17,10 +15,6 @@ std::vector<Ring> ring_values(const std::vector<float>& all, std::size_t first, 
     for (std::size_t i = first; i < last; ++i)
         rings.push_back(section_values(all, i * k, (i + 1) * k));
     return rings;
-}
-
-double mean(const Ring& ring) {
-    return std::accumulate(ring.begin(), ring.end(), 0.0) / static_cast<double>(ring.size());
 }
 
 Wisp wisp_of(const Groom& groom, std::size_t w) {
@@ -48,15 +42,14 @@ Wisp wisp_of(const Groom& groom, std::size_t w) {
     wisp.ring_damping = values(groom.ring_damping);
     wisp.rest_radius = rings(groom.rest_radius);
     wisp.ring_length = rings(groom.ring_length);
+    wisp.design_radius = rings(groom.radius);
 
-    wisp.r = rings(groom.radius);
+    wisp.r = wisp.design_radius;
     wisp.r_rate.assign(last - first, Ring(groom.envelope_points, 0.0));
     wisp.v.resize(last - first);
     wisp.air.resize(last - first);
     for (std::size_t i = first; i < last; ++i)
         wisp.x.emplace_back(groom.position[i]);
-    for (const Ring& ring : wisp.r)
-        wisp.design_radius.push_back(mean(ring));
     return wisp;
 }
 

@@ -91,6 +91,10 @@ void add_bending(const Wisp& wisp, std::vector<Vec3d>& force) {
     }
 }
 
+double mean(const Ring& ring) {
+    return std::accumulate(ring.begin(), ring.end(), 0.0) / static_cast<double>(ring.size());
+}
+
 } // namespace
 
 Curvature curvature(const Wisp& wisp, std::size_t i) {
@@ -99,10 +103,8 @@ Curvature curvature(const Wisp& wisp, std::size_t i) {
 
 /// M3: "a certain resistance to bending, depending of the wisp's thickness".
 double bend_stiffness(const Wisp& wisp, std::size_t i) {
-    const Ring& ring = wisp.r[i];
-    const double thickness =
-        std::accumulate(ring.begin(), ring.end(), 0.0) / static_cast<double>(ring.size());
-    const double factor = std::pow(thickness / wisp.design_radius[i], wisp.thickness_power);
+    const double ratio = mean(wisp.r[i]) / mean(wisp.design_radius[i]);
+    const double factor = std::pow(ratio, wisp.thickness_power);
     return wisp.bend_stiffness[i] * std::clamp(factor, 0.25, 4.0);
 }
 

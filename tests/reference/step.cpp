@@ -33,7 +33,7 @@ Accelerations accelerations(const Wisp& wisp, const Surroundings& surroundings) 
         Vec3d force = springs[i];
         for (std::size_t k = 0; k < wisp.points(); ++k)
             force -= Q[k] * half_line(frames[i], k, wisp.points());
-        const Vec3d from_springs = SectionInertia(wisp, frames[i], i).solve(force);
+        const Vec3d from_springs = section_inertia(wisp, frames[i], i).inverse() * force;
 
         // Gravity and air act alike on every point of a section, so they do not move its envelope.
         const Vec3d through_air = wisp.v[i] - wisp.air[i];

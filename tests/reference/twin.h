@@ -16,6 +16,7 @@
 #include "mane/frame.h"
 #include "mane/groom.h"
 #include "mane/vec.h"
+#include "reference/matrix.h"
 
 #include <vector>
 
@@ -33,7 +34,7 @@ struct Wisp {
     std::vector<double> bend_stiffness, bend_damping, rest_curvature_u, rest_curvature_v;
     std::vector<double> radial_stiffness, radial_damping, ring_stiffness, ring_damping;
     std::vector<Ring> rest_radius, ring_length;
-    std::vector<double> design_radius; ///< mean of the section's radii in the design
+    std::vector<Ring> design_radius;
 
     // state
     std::vector<Vec3d> x, v;     ///< [m], [m/s]
@@ -104,15 +105,7 @@ double ring_distance(const Wisp& wisp, std::size_t i, std::size_t k);
 
 /// Inertia of section i's skeleton point: T = M + Σ m_e (I − d dᵀ). It carries the envelope across
 /// the half lines.
-class SectionInertia {
-  public:
-    SectionInertia(const Wisp& wisp, const SectionFrame& frame, std::size_t i);
-    Vec3d times(const Vec3d& velocity) const;
-    Vec3d solve(const Vec3d& force) const;
-
-  private:
-    Vec3d row_[3];
-};
+Matrix3 section_inertia(const Wisp& wisp, const SectionFrame& frame, std::size_t i);
 
 // §5.1, step.cpp
 struct Accelerations {

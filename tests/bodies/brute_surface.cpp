@@ -1,4 +1,4 @@
-#include "character/brute_surface.h"
+#include "bodies/brute_surface.h"
 
 #include "base/functions.h"
 

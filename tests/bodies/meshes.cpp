@@ -1,4 +1,4 @@
-#include "character/meshes.h"
+#include "bodies/meshes.h"
 
 #include "base/functions.h"
 

@@ -1,0 +1,91 @@
+#pragma once
+
+#include "base/parallel_for.h"
+#include "character/surface.h"
+#include "interactions/character_point.h"
+#include "mane/desc.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mane {
+
+/// A body that the hair may touch, over one detection block.
+struct ContactBody {
+    const Surface* surface = nullptr;
+    /// Wisps may start inside it (a hat). It leaves alone the part of such a wisp from the root to
+    /// its first point outside.
+    bool worn = false;
+};
+
+/// A sliding contact (§4.2, M30, M36): a plane that moves with its polygon over the block, linearly
+/// from start to end.
+struct SlidingContact {
+    WispPoint point;
+    std::uint32_t body = 0;
+    std::uint32_t triangle = 0;
+    Vec3 anchor;         ///< [m] a point of the polygon, at the block's start
+    Vec3 anchor_change;  ///< [m] over the block
+    Vec3 normal;         ///< unit, away from the body, at the block's start
+    Vec3 normal_change;  ///< over the block
+    float threshold = 0; ///< [m] distance under which it answers
+};
+
+/// Where a skeleton point would be at the block's end if it had been fixed to the polygon that was
+/// nearest at its start.
+struct CarriedPoint {
+    bool near = false; ///< whether any polygon was near enough to be met within the block
+    Vec3 position;     ///< [m]
+};
+
+/// Velocity changes that a step's answers add to, in the layout of the state.
+struct VelocityChanges {
+    Rows velocity;    ///< [m/s]
+    Rows radius_rate; ///< [m/s]
+};
+
+/// Positions and radii after the penetration reaction: written for every simulated section that it
+/// moved, and for no other.
+struct PositionChanges {
+    Rows& position; ///< [m]
+    Rows& radius;   ///< [m]
+};
+
+/// The hair's contacts with the character and the obstacles (§4.2). Wisps are answered apart from
+/// each other, each from root to tip, in fixed chunks: the same bits for any number of threads.
+class CharacterContacts {
+  public:
+    /// At a block's start, from the state there: finds the planes that a point could reach before
+    /// the block ends. Contacts come sorted by wisp, then section.
+    void detect(const HairView& hair, std::span<const ContactBody> bodies,
+                const CharacterContactDesc& desc, Threads& threads);
+
+    /// In the velocity stage of a step of length `dt` [s] within the block: adds to `changes` what
+    /// the engaged contacts ask. `fraction`: how much of the block has passed at the time of the
+    /// state's positions.
+    void respond(const HairView& hair, const CharacterContactDesc& desc, float fraction, float dt,
+                 VelocityChanges& changes, Threads& threads) const;
+
+    /// At a block's end, on the new positions (frames and half lines of the new curve): the
+    /// penetration reaction (M31–M33), against the bodies' poses at the block's end. Returns how
+    /// many points and radii it moved.
+    std::uint64_t react(const HairView& hair, std::span<const ContactBody> bodies,
+                        const CharacterContactDesc& desc, PositionChanges changes,
+                        Threads& threads) const;
+
+    std::span<const SlidingContact> of_wisp(std::size_t wisp) const { return contacts_[wisp]; }
+    std::uint64_t count() const;
+
+  private:
+    std::vector<std::vector<SlidingContact>> contacts_; // per wisp
+    std::vector<std::vector<CarriedPoint>> carried_;    // per wisp: bodies × sections
+    double duration_ = 0;
+};
+
+/// Throws InputError naming the wisp when its x₁ is inside a body that is not worn, in the bodies'
+/// poses at the block's start (M5).
+void check_roots(const HairView& hair, std::span<const ContactBody> bodies,
+                 std::span<const std::string> names);
+
+} // namespace mane

@@ -1,0 +1,183 @@
+#include "interactions/character_contact.h"
+#include "interactions/character_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace mane {
+namespace {
+
+constexpr std::size_t kWispsPerChunk = 16;
+/// A support point this near to an envelope point is that point.
+constexpr float kAtEnvelopePoint = 0.98f;
+
+/// Detection for one wisp and one body, from root to tip.
+class Detector {
+  public:
+    Detector(const WispCopy& wisp, const ContactBody& body, std::uint32_t number,
+             const CharacterContactDesc& desc, std::vector<SlidingContact>& contacts)
+        : wisp_(wisp), surface_(*body.surface), worn_(body.worn), number_(number), desc_(desc),
+          contacts_(contacts) {}
+
+    void run(std::span<CarriedPoint> carried) {
+        const double block = surface_.duration();
+        Reach before = look_around(1);
+        bool under = worn_ && inside(1);
+        for (std::uint32_t i = 2; i < wisp_.sections(); ++i) {
+            const Reach here = look_around(i);
+            under = under && inside(i);
+            carried[i].near = here.place && !under;
+            if (carried[i].near)
+                carried[i].position =
+                    Vec3(surface_.carried_point(here.place->triangle, Vec3d(wisp_.x[i])));
+            if (!under && block > 0) {
+                touch_segment(i - 1, before, here);
+                touch_section(i, here);
+            }
+            before = here;
+        }
+    }
+
+  private:
+    /// What is known of the surface around a section: nothing of it is nearer than `clear`.
+    struct Reach {
+        std::optional<SurfacePlace> place;
+        Vec3d velocity; // of the nearest place
+        double clear = 0;
+    };
+
+    bool inside(std::uint32_t i) const { return surface_.start().inside(Vec3d(wisp_.x[i])); }
+
+    // One search per section, as wide as any of its points could get to within the block. All else
+    // follows from its answer, since the distance to a surface changes by no more than the way
+    // between two points.
+    Reach look_around(std::uint32_t i) const {
+        const double block = surface_.duration();
+        double rate = 0;
+        for (std::uint32_t line = 0; line < wisp_.k(); ++line)
+            rate = std::max(rate, std::abs(double(wisp_.rate(i, line))));
+        const double speed =
+            length(Vec3d(wisp_.v[i])) + rate + surface_.fastest() + kAcceleration * block;
+        Reach reach;
+        reach.clear = double(desc_.threshold) + double(wisp_.largest_radius(i)) + speed * block;
+        reach.place = surface_.start().nearest(Vec3d(wisp_.x[i]), reach.clear);
+        if (reach.place) {
+            reach.clear = std::sqrt(reach.place->closest.squared);
+            if (block > 0)
+                reach.velocity = velocity_at(surface_, *reach.place);
+        }
+        return reach;
+    }
+
+    void touch_section(std::uint32_t i, const Reach& reach) {
+        if (!reach.place)
+            return;
+        touch({i, 0, 0, 0, 0}, reach.clear, reach.velocity);
+        for (std::uint32_t line = 0; line < wisp_.k(); ++line)
+            touch({i, 0, line, 1, 0}, reach.clear - double(wisp_.r(i, line)), reach.velocity);
+        touch_support(support_point(wisp_, i, Vec3(way_to(i, reach))),
+                      reach.clear - double(wisp_.largest_radius(i)), reach);
+    }
+
+    // The middle of a segment and the envelope there. Nothing is nearer to the middle than half a
+    // segment less than to the clearer of its ends.
+    void touch_segment(std::uint32_t i, const Reach& a, const Reach& b) {
+        const double half = length(Vec3d(wisp_.x[i + 1]) - Vec3d(wisp_.x[i])) / 2;
+        const Reach& nearer = !b.place || (a.place && a.clear < b.clear) ? a : b;
+        if (!nearer.place)
+            return;
+        const double clear = std::max(a.clear, b.clear) - half;
+        touch({i, 0.5f, 0, 0, 0}, clear, nearer.velocity);
+        const std::uint32_t end = &nearer == &a ? i : i + 1;
+        WispPoint support = support_point(wisp_, end, Vec3(way_to(end, nearer)));
+        support.section = i;
+        support.along = 0.5f;
+        const float radius = std::max(wisp_.largest_radius(i), wisp_.largest_radius(i + 1));
+        touch_support(support, clear - double(radius), nearer);
+    }
+
+    Vec3d way_to(std::uint32_t i, const Reach& reach) const {
+        return reach.place->closest.point - Vec3d(wisp_.x[i]);
+    }
+
+    void touch_support(const WispPoint& point, double clear, const Reach& reach) {
+        const bool between = point.alpha > 0 && point.beta > 0;
+        const bool apart = point.along > 0 || std::max(point.alpha, point.beta) < kAtEnvelopePoint;
+        if (between && apart)
+            touch(point, clear, reach.velocity);
+    }
+
+    /// Looks for the planes of one point, nothing being nearer to it than `clear`.
+    void touch(const WispPoint& point, double clear, const Vec3d& surface_velocity) {
+        Approach approach;
+        approach.velocity = Vec3d(wisp_.velocity(point));
+        approach.speed = length(approach.velocity - surface_velocity);
+        approach.threshold = double(desc_.threshold);
+        approach.push_out = double(desc_.push_out);
+        const double block = surface_.duration();
+        if (clear > approach.threshold + (approach.speed + kAcceleration * block) * block)
+            return;
+        approach.position = Vec3d(wisp_.position(point));
+        for (const NearPlane& plane : planes_.find(surface_, approach))
+            add(point, plane);
+    }
+
+    void add(const WispPoint& point, const NearPlane& plane) {
+        const std::uint32_t t = plane.place.triangle;
+        const Vec3d end_normal = surface_.carried_direction(t, plane.normal);
+        SlidingContact contact;
+        contact.point = point;
+        contact.body = number_;
+        contact.triangle = t;
+        contact.anchor = Vec3(plane.place.closest.point);
+        contact.anchor_change = Vec3(velocity_at(surface_, plane.place) * surface_.duration());
+        contact.normal = Vec3(plane.normal);
+        contact.normal_change = Vec3(end_normal - plane.normal);
+        contact.threshold = static_cast<float>(plane.threshold);
+        contacts_.push_back(contact);
+    }
+
+    const WispCopy& wisp_;
+    const Surface& surface_;
+    bool worn_;
+    std::uint32_t number_;
+    const CharacterContactDesc& desc_;
+    std::vector<SlidingContact>& contacts_;
+    PlaneFinder planes_;
+};
+
+} // namespace
+
+void CharacterContacts::detect(const HairView& hair, std::span<const ContactBody> bodies,
+                               const CharacterContactDesc& desc, Threads& threads) {
+    const std::size_t wisps = hair.groom.wisp_count();
+    contacts_.resize(wisps);
+    carried_.resize(wisps);
+    duration_ = bodies.empty() ? 0 : bodies[0].surface->duration();
+    threads.run((wisps + kWispsPerChunk - 1) / kWispsPerChunk, [&](std::size_t chunk) {
+        WispCopy wisp(hair.groom.envelope_points);
+        const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
+        for (std::size_t w = chunk * kWispsPerChunk; w < end; ++w) {
+            wisp.load(hair, static_cast<std::uint32_t>(w));
+            const std::size_t sections = wisp.sections();
+            contacts_[w].clear();
+            carried_[w].assign(bodies.size() * sections, {});
+            for (std::uint32_t b = 0; b < bodies.size(); ++b)
+                Detector(wisp, bodies[b], b, desc, contacts_[w])
+                    .run(std::span(carried_[w]).subspan(b * sections, sections));
+            std::stable_sort(
+                contacts_[w].begin(), contacts_[w].end(),
+                [](const auto& x, const auto& y) { return x.point.section < y.point.section; });
+        }
+    });
+}
+
+std::uint64_t CharacterContacts::count() const {
+    std::uint64_t sum = 0;
+    for (const auto& wisp : contacts_)
+        sum += wisp.size();
+    return sum;
+}
+
+} // namespace mane

@@ -1,0 +1,164 @@
+#include "interactions/character_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mane {
+namespace {
+
+/// A point's two sections with their weights; the second one counts only where the point is between
+/// sections.
+struct Shares {
+    std::array<std::uint32_t, 2> section;
+    std::array<float, 2> weight;
+    int count;
+};
+Shares shares(const WispPoint& p) {
+    return {{p.section, p.section + 1}, {1 - p.along, p.along}, p.along > 0 ? 2 : 1};
+}
+
+} // namespace
+
+WispCopy::WispCopy(std::uint32_t envelope_points) : lines_(half_lines(envelope_points)) {}
+
+void WispCopy::load(const HairView& hair, std::uint32_t wisp) {
+    const Groom& groom = hair.groom;
+    const std::size_t n = groom.sections(wisp);
+    for (auto* vectors : {&x, &v, &u, &w, &normal})
+        vectors->resize(n);
+    for (auto* numbers : {&radius, &radius_rate})
+        numbers->resize(n * k());
+    mass_.resize(n);
+    const auto points = static_cast<float>(k());
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t section = groom.first_section[wisp] + i;
+        const Slot slot = hair.layout.slot(section);
+        x[i] = hair.state.position.vec(slot);
+        v[i] = hair.state.velocity.vec(slot);
+        u[i] = hair.frames.u.vec(slot);
+        w[i] = hair.frames.v.vec(slot);
+        normal[i] = hair.frames.normal.vec(slot);
+        for (std::uint32_t line = 0; line < k(); ++line) {
+            r(i, line) = hair.state.radius.at(slot, line);
+            rate(i, line) = hair.state.radius_rate.at(slot, line);
+        }
+        if (!simulated(i))
+            continue; // inverse masses of zero: kinematic sections do not answer
+        const float skeleton = groom.skeleton_mass[section],
+                    envelope = groom.envelope_mass[section];
+        mass_[i] = {1 / (skeleton + points / 2 * envelope), 1 / (skeleton + points * envelope),
+                    1 / envelope};
+    }
+}
+
+Vec3 WispCopy::d(std::uint32_t section, std::uint32_t line) const {
+    return u[section] * lines_[line].cosine + w[section] * lines_[line].sine;
+}
+
+float WispCopy::largest_radius(std::uint32_t section) const {
+    const float* first = radius.data() + section * k();
+    return *std::max_element(first, first + k());
+}
+
+Vec3 WispCopy::offset(std::uint32_t s, const WispPoint& p) const {
+    if (p.alpha == 0 && p.beta == 0)
+        return {};
+    return d(s, p.k) * (p.alpha * r(s, p.k)) + d(s, next(p.k)) * (p.beta * r(s, next(p.k)));
+}
+
+Vec3 WispCopy::offset_rate(std::uint32_t s, const WispPoint& p) const {
+    if (p.alpha == 0 && p.beta == 0)
+        return {};
+    return d(s, p.k) * (p.alpha * rate(s, p.k)) + d(s, next(p.k)) * (p.beta * rate(s, next(p.k)));
+}
+
+Vec3 WispCopy::position(const WispPoint& p) const {
+    if (p.along == 0)
+        return x[p.section] + offset(p.section, p);
+    return (x[p.section] + offset(p.section, p)) * (1 - p.along) +
+           (x[p.section + 1] + offset(p.section + 1, p)) * p.along;
+}
+
+Vec3 WispCopy::velocity(const WispPoint& p) const {
+    if (p.along == 0)
+        return v[p.section] + offset_rate(p.section, p);
+    return (v[p.section] + offset_rate(p.section, p)) * (1 - p.along) +
+           (v[p.section + 1] + offset_rate(p.section + 1, p)) * p.along;
+}
+
+Vec3 WispCopy::inverse_T(std::uint32_t s, const Vec3& f) const {
+    const Mass& m = mass_[s];
+    return f * m.across + normal[s] * ((m.along - m.across) * dot(normal[s], f));
+}
+
+float WispCopy::inverse_mass(const WispPoint& p, const Vec3& e) const {
+    float sum = 0;
+    const Shares share = shares(p);
+    for (int j = 0; j < share.count; ++j) {
+        const std::uint32_t s = share.section[j];
+        if (!simulated(s))
+            continue;
+        Vec3 rest = e;
+        float envelope = 0;
+        if (!p.on_axis()) {
+            const Vec3 d0 = d(s, p.k), d1 = d(s, next(p.k));
+            const float e0 = p.alpha * dot(d0, e), e1 = p.beta * dot(d1, e);
+            rest = e - d0 * e0 - d1 * e1;
+            envelope = (e0 * e0 + e1 * e1) * mass_[s].envelope;
+        }
+        sum += share.weight[j] * share.weight[j] * (dot(rest, inverse_T(s, rest)) + envelope);
+    }
+    return sum;
+}
+
+// The generalised coordinates are the skeleton's velocity ẋ and q = ṙ + ẋ·d of every envelope
+// point; the kinetic energy is diagonal in them (docs/model.md). The point's velocity is (I − α d
+// dᵀ − β d'd'ᵀ) ẋ + α d q + β d'q', so an impulse J gives q its part along the half lines and ẋ the
+// rest; a q that is not pushed stays, so ṙ takes up the skeleton's change.
+void WispCopy::push(const WispPoint& p, const Vec3& impulse) {
+    const Shares share = shares(p);
+    for (int j = 0; j < share.count; ++j) {
+        const std::uint32_t s = share.section[j];
+        if (!simulated(s))
+            continue;
+        Vec3 rest = impulse * share.weight[j];
+        if (!p.on_axis()) {
+            const std::uint32_t l0 = p.k, l1 = next(p.k);
+            const Vec3 d0 = d(s, l0), d1 = d(s, l1);
+            const float q0 = p.alpha * dot(d0, rest), q1 = p.beta * dot(d1, rest);
+            rate(s, l0) += q0 * mass_[s].envelope;
+            rate(s, l1) += q1 * mass_[s].envelope;
+            rest = rest - d0 * q0 - d1 * q1;
+        }
+        const Vec3 change = inverse_T(s, rest);
+        v[s] += change;
+        for (std::uint32_t line = 0; line < k(); ++line)
+            rate(s, line) -= dot(d(s, line), change);
+    }
+}
+
+// In a sector the surface is α² + β² + 2αβC = 1 (M14a). The farthest point along g has its gradient
+// there: α ∝ A − C B, β ∝ B − C A with A, B the reach of the two half lines along g. It is in the
+// sector where both are positive.
+WispPoint support_point(const WispCopy& wisp, std::uint32_t section, const Vec3& g) {
+    WispPoint best{section, 0, 0, 0, 0};
+    float farthest = 0;
+    for (std::uint32_t line = 0; line < wisp.k(); ++line) {
+        const std::uint32_t other = wisp.next(line);
+        const Vec3 d0 = wisp.d(section, line), d1 = wisp.d(section, other);
+        const float c = dot(d0, d1);
+        const float a = wisp.r(section, line) * dot(d0, g), b = wisp.r(section, other) * dot(d1, g);
+        const float alpha = a - c * b, beta = b - c * a;
+        if (alpha <= 0 || beta <= 0)
+            continue;
+        const float size = std::sqrt(alpha * alpha + beta * beta + 2 * c * alpha * beta);
+        const float reach = (alpha * a + beta * b) / size;
+        if (reach > farthest) {
+            farthest = reach;
+            best = {section, 0, line, alpha / size, beta / size};
+        }
+    }
+    return best;
+}
+
+} // namespace mane

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "mane/vec.h"
+#include "model/state.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mane {
+
+/// A point of a wisp that can touch a body (§4.2): Σ_j w_j (x_j + α r_k d_k + β r_{k+1} d_{k+1})
+/// over the two sections of a segment, with weights 1 − along and along. One definition for
+/// skeleton points (α = β = 0, along = 0), envelope points (α = 1), points of the axis between
+/// sections, and points of the drawn surface between half lines (M14a), so that all answer alike.
+struct WispPoint {
+    std::uint32_t section = 0; ///< the segment's first section, index along the wisp from x₀
+    float along = 0;           ///< 0 on `section`, 1 on the next
+    std::uint32_t k = 0;       ///< first half line of the sector
+    float alpha = 0;           ///< share along half line k
+    float beta = 0;            ///< share along half line k + 1
+
+    bool on_axis() const { return alpha == 0 && beta == 0; }
+    /// The point of the axis that it hangs on.
+    WispPoint axis() const { return {section, along, 0, 0, 0}; }
+};
+
+/// One wisp, unpacked: what the answers to a body read and write. Indices are sections from x₀.
+class WispCopy {
+  public:
+    explicit WispCopy(std::uint32_t envelope_points);
+
+    /// Reads wisp `w` of `hair`: positions, frames, radii, velocities.
+    void load(const HairView& hair, std::uint32_t w);
+
+    std::uint32_t sections() const { return static_cast<std::uint32_t>(x.size()); }
+    std::uint32_t k() const { return static_cast<std::uint32_t>(lines_.size()); }
+    static bool simulated(std::uint32_t section) { return section >= 2; }
+
+    float& r(std::uint32_t section, std::uint32_t line) { return radius[section * k() + line]; }
+    float r(std::uint32_t section, std::uint32_t line) const {
+        return radius[section * k() + line];
+    }
+    float& rate(std::uint32_t section, std::uint32_t line) {
+        return radius_rate[section * k() + line];
+    }
+    float rate(std::uint32_t section, std::uint32_t line) const {
+        return radius_rate[section * k() + line];
+    }
+    /// Half line `line` of a section.
+    Vec3 d(std::uint32_t section, std::uint32_t line) const;
+    std::uint32_t next(std::uint32_t line) const { return line + 1 == k() ? 0 : line + 1; }
+    float largest_radius(std::uint32_t section) const;
+
+    Vec3 position(const WispPoint& p) const;
+    Vec3 velocity(const WispPoint& p) const;
+
+    /// Inverse mass that an impulse along the unit direction `e` meets at a point [1/kg]: e·W e of
+    /// docs/interactions.md.
+    float inverse_mass(const WispPoint& p, const Vec3& e) const;
+    /// Answers the impulse `j` [N·s] at a point (M27): changes velocities and rates of its
+    /// sections.
+    void push(const WispPoint& p, const Vec3& j);
+
+    std::vector<Vec3> x, v, u, w, normal; ///< position, velocity, first and second axis, normal
+    std::vector<float> radius, radius_rate;
+
+  private:
+    struct Mass {
+        float across = 0;   ///< [1/kg] inverse of T in the section's plane
+        float along = 0;    ///< [1/kg] inverse of T along its normal
+        float envelope = 0; ///< [1/kg] inverse of an envelope point's mass
+    };
+    Vec3 inverse_T(std::uint32_t section, const Vec3& f) const;
+    Vec3 offset(std::uint32_t section, const WispPoint& p) const;
+    Vec3 offset_rate(std::uint32_t section, const WispPoint& p) const;
+
+    std::vector<HalfLine> lines_;
+    std::vector<Mass> mass_;
+};
+
+/// The point of a section's contact surface farthest along `g` in a plane through it: where a flat
+/// wall facing −g touches first. Empty when no sector of the envelope faces g.
+WispPoint support_point(const WispCopy& wisp, std::uint32_t section, const Vec3& g);
+
+} // namespace mane

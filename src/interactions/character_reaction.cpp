@@ -1,0 +1,331 @@
+#include "interactions/character_contact.h"
+#include "interactions/character_escape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mane {
+namespace {
+
+constexpr std::size_t kWispsPerChunk = 16;
+constexpr int kRounds = 4;      // a way out of one body may lead into another, or into another part
+constexpr float kClear = 1e-5f; // [m] by which envelope points and axes stay over the surface
+constexpr float kLongestLever =
+    4; // an axis is lifted by moving an end at most this many times as far
+
+/// The penetration reaction of one wisp: its skeleton from root to tip, then its envelope from root
+/// to tip.
+class Reactor {
+  public:
+    Reactor(WispCopy& wisp, std::span<const ContactBody> bodies,
+            std::span<const CarriedPoint> carried, double push_out)
+        : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(bodies, push_out),
+          exempt_(wisp.sections(), 0), moved_(wisp.sections(), false) {}
+
+    std::uint64_t run() {
+        find_exempt();
+        for (std::uint32_t i = 2; i < wisp_.sections(); ++i) {
+            move_skeleton_point(i);
+            for (std::uint32_t b = 0; b < bodies_.size(); ++b)
+                lift_axis(i, b);
+        }
+        for (std::uint32_t i = 2; i < wisp_.sections(); ++i) {
+            for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+                shrink_section(i, b);
+                shrink_between(i, b);
+            }
+        }
+        return reactions_;
+    }
+
+    bool moved(std::uint32_t section) const { return moved_[section]; }
+
+  private:
+    /// The bodies that leave a section alone, one bit each: worn ones, from the root to the first
+    /// point outside.
+    void find_exempt() {
+        for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+            if (!bodies_[b].worn)
+                continue;
+            for (std::uint32_t i = 1; i < wisp_.sections() && escape_.inside(wisp_.x[i], b); ++i)
+                exempt_[i] |= std::uint64_t{1} << b;
+        }
+    }
+    bool exempt(std::uint32_t i, std::uint32_t b) const { return exempt_[i] >> b & 1; }
+
+    void put(std::uint32_t i, const Vec3& position) {
+        wisp_.x[i] = position;
+        moved_[i] = true;
+        ++reactions_;
+    }
+
+    void move_skeleton_point(std::uint32_t i) {
+        for (int round = 0; round < kRounds; ++round) {
+            bool in = false;
+            for (std::uint32_t b = 0; b < bodies_.size(); ++b)
+                in |= !exempt(i, b) && move_out(i, b, round == 0);
+            if (!in)
+                return;
+        }
+        if (escape_.inside(wisp_.x[i], exempt_[i]))
+            retreat(i);
+    }
+
+    /// Puts a skeleton point that is inside body `b`, or went through a part of it, before the
+    /// surface. False when neither is so.
+    bool move_out(std::uint32_t i, std::uint32_t b, bool with_path) {
+        const Vec3 p = wisp_.x[i];
+        const bool inside = escape_.inside(p, b);
+        const CarriedPoint& carried = carried_[b * wisp_.sections() + i];
+        // Its way over the block, as the body sees it: from where the nearest polygon would have
+        // carried it to where it is.
+        const bool has_path = with_path && carried.near && !escape_.inside(carried.position, b);
+        const std::optional<Escape::Entry> entry =
+            has_path ? escape_.entry(b, carried.position, p) : std::nullopt;
+        if (!inside && !entry)
+            return false;
+
+        std::array<Vec3, 3> ways{};
+        std::size_t count = 0;
+        if (inside) {
+            const std::optional<SurfacePlace> exit = escape_.exit(b, p);
+            if (exit) {
+                const Vec3 out = escape_.over(b, *exit, p);
+                // The nearest way out of a thin part can be its far side: then it counts only as
+                // reached without crossing.
+                if (!has_path || escape_.free(b, carried.position, out))
+                    ways[count++] = out;
+            }
+        }
+        if (entry)
+            ways[count++] = escape_.over(b, entry->place, Vec3(entry->place.closest.point));
+        if (inside) {
+            const std::optional<Escape::Entry> axis = escape_.entry(b, wisp_.x[i - 1], p);
+            if (axis)
+                ways[count++] = escape_.over(b, axis->place, Vec3(axis->place.closest.point));
+        }
+        put_best(i, b, std::span(ways).first(count));
+        return true;
+    }
+
+    /// Takes the first way that is outside and whose axis to the section before is free; else the
+    /// first that is outside; else goes back along the axis.
+    void put_best(std::uint32_t i, std::uint32_t b, std::span<const Vec3> ways) {
+        const Vec3* best = nullptr;
+        for (const Vec3& way : ways) {
+            if (escape_.inside(way, exempt_[i]))
+                continue;
+            if (!best)
+                best = &way;
+            if (!escape_.free(b, wisp_.x[i - 1], way))
+                continue;
+            best = &way;
+            break;
+        }
+        if (best)
+            put(i, *best);
+        else
+            retreat(i);
+    }
+
+    /// Back along the axis until outside every body: the section before is outside, so near enough
+    /// to it all is.
+    void retreat(std::uint32_t i) {
+        const Vec3 from = wisp_.x[i - 1], way = wisp_.x[i] - from;
+        double at = 1;
+        for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+            if (exempt(i, b))
+                continue;
+            const std::optional<Escape::Entry> entry = escape_.entry(b, from, wisp_.x[i]);
+            if (entry)
+                at = std::min(at, entry->at);
+        }
+        Vec3 back = wisp_.x[i];
+        for (int halving = 0; halving < 24 && escape_.inside(back, exempt_[i]); ++halving) {
+            at /= 2;
+            back = from + way * static_cast<float>(at);
+        }
+        put(i, back);
+    }
+
+    /// Where the axis goes through a convex part with both ends outside, its deepest point is
+    /// lifted to the surface by moving its ends, each by its weight there (the least movement that
+    /// does it).
+    void lift_axis(std::uint32_t i, std::uint32_t b) {
+        if (exempt(i, b) || exempt(i - 1, b))
+            return;
+        for (int round = 0; round < kRounds; ++round) {
+            const std::optional<float> middle =
+                escape_.middle_of_stretch(b, wisp_.x[i - 1], wisp_.x[i]);
+            if (!middle)
+                return;
+            const float s = *middle;
+            const Vec3 deep = wisp_.x[i - 1] * (1 - s) + wisp_.x[i] * s;
+            const std::optional<SurfacePlace> exit = escape_.exit(b, deep);
+            if (!exit)
+                return;
+            const Vec3 lift = escape_.over(b, *exit, deep, double(kClear) * 10) - deep;
+            if (!lift_ends(i, lift, s))
+                return;
+        }
+    }
+
+    bool lift_ends(std::uint32_t i, const Vec3& lift, float s) {
+        const float first = WispCopy::simulated(i - 1) ? 1 - s : 0.0f;
+        const float sum = first * first + s * s;
+        const Vec3 before = wisp_.x[i - 1] + lift * (first / sum),
+                   here = wisp_.x[i] + lift * (s / sum);
+        const bool both = first > 0 && may_stand(i - 1, before) && may_stand(i, here);
+        if (both) {
+            put(i - 1, before);
+            put(i, here);
+            return true;
+        }
+        const Vec3 alone = wisp_.x[i] + lift * std::min(1 / s, kLongestLever);
+        if (!may_stand(i, alone))
+            return false;
+        put(i, alone);
+        return true;
+    }
+
+    bool may_stand(std::uint32_t i, const Vec3& position) {
+        if (escape_.inside(position, exempt_[i]))
+            return false;
+        for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+            // no way through a part of a body, for the point or for the axis behind it
+            if (exempt(i, b))
+                continue;
+            if (!escape_.free(b, wisp_.x[i], position))
+                return false;
+        }
+        return true;
+    }
+
+    /// The envelope points of a section, then the drawn surface halfway between them, come back to
+    /// the surface: each along the line from the skeleton point, which is outside.
+    void shrink_section(std::uint32_t i, std::uint32_t b) {
+        const float reach = wisp_.largest_radius(i);
+        if (exempt(i, b) || reach <= 0 || !escape_.distance(b, wisp_.x[i], double(reach)))
+            return;
+        const Vec3 centre = wisp_.x[i];
+        for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
+            const WispPoint point{i, 0, line, 1, 0};
+            const float share = share_outside(b, centre, wisp_.position(point));
+            if (share < 1)
+                scale(i, line, share);
+        }
+        for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
+            const float share = share_outside(b, centre, wisp_.position(half_arc(i, line)));
+            if (share < 1)
+                scale_sector(i, line, share);
+        }
+    }
+
+    /// The drawn surface halfway along the segment that ends at section i, where the strands'
+    /// curves (Catmull-Rom) run outside the chords.
+    void shrink_between(std::uint32_t i, std::uint32_t b) {
+        if (exempt(i, b) || exempt(i - 1, b))
+            return;
+        const Vec3 centre = halfway(i, {});
+        const float reach = std::max(wisp_.largest_radius(i - 1), wisp_.largest_radius(i));
+        const std::optional<double> distance = escape_.distance(b, centre, double(reach) * 1.2);
+        if (!distance || escape_.inside(centre, b))
+            return;
+        for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
+            for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, half_arc(i, line)}) {
+                const float share = share_outside(b, centre, halfway(i, point));
+                if (share >= 1)
+                    continue;
+                for (std::uint32_t section : {i - 1, i}) {
+                    if (!WispCopy::simulated(section))
+                        continue;
+                    scale(section, line, share);
+                    if (point.beta > 0)
+                        scale(section, wisp_.next(line), share);
+                }
+            }
+        }
+    }
+
+    /// The share of the way from `centre` (outside) to `end` that is outside; 1 when `end` is
+    /// outside (M31).
+    float share_outside(std::uint32_t b, const Vec3& centre, const Vec3& end) {
+        const std::optional<Escape::Entry> entry = escape_.entry_to_stay(b, centre, end);
+        if (!entry)
+            return 1;
+        const float way = length(end - centre);
+        return std::max(0.0f, static_cast<float>(entry->at) - kClear / way);
+    }
+
+    void scale(std::uint32_t i, std::uint32_t line, float share) {
+        wisp_.r(i, line) *= share;
+        moved_[i] = true;
+        ++reactions_;
+    }
+    void scale_sector(std::uint32_t i, std::uint32_t line, float share) {
+        scale(i, line, share);
+        scale(i, wisp_.next(line), share);
+    }
+
+    /// The middle of the drawn arc from half line `line` to the next: α = β on α² + β² + 2αβC = 1.
+    WispPoint half_arc(std::uint32_t i, std::uint32_t line) const {
+        const float c = dot(wisp_.d(i, line), wisp_.d(i, wisp_.next(line)));
+        const float share = 1 / std::sqrt(2 + 2 * c);
+        return {i, 0, line, share, share};
+    }
+
+    /// The point of a strand's curve halfway from section i − 1 to i: Catmull-Rom through its
+    /// places in four sections.
+    Vec3 halfway(std::uint32_t i, const WispPoint& place) const {
+        const auto at = [&](std::uint32_t section) {
+            WispPoint p = place;
+            p.section = std::min(section, wisp_.sections() - 1);
+            return wisp_.position(p);
+        };
+        return (at(i - 1) + at(i)) * (9.0f / 16) - (at(i - 2) + at(i + 1)) * (1.0f / 16);
+    }
+
+    WispCopy& wisp_;
+    std::span<const ContactBody> bodies_;
+    std::span<const CarriedPoint> carried_;
+    Escape escape_;
+    std::vector<std::uint64_t> exempt_;
+    std::vector<bool> moved_;
+    std::uint64_t reactions_ = 0;
+};
+
+} // namespace
+
+std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const ContactBody> bodies,
+                                       const CharacterContactDesc& desc, PositionChanges changes,
+                                       Threads& threads) const {
+    const std::size_t wisps = hair.groom.wisp_count();
+    const std::size_t chunks = (wisps + kWispsPerChunk - 1) / kWispsPerChunk;
+    std::vector<std::uint64_t> reactions(chunks, 0);
+    threads.run(chunks, [&](std::size_t chunk) {
+        WispCopy wisp(hair.groom.envelope_points);
+        const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
+        for (std::size_t w = chunk * kWispsPerChunk; w < end; ++w) {
+            wisp.load(hair, static_cast<std::uint32_t>(w));
+            const std::vector<CarriedPoint> none(
+                w < carried_.size() ? 0 : bodies.size() * wisp.sections());
+            Reactor reactor(wisp, bodies, none.empty() ? carried_[w] : none, double(desc.push_out));
+            reactions[chunk] += reactor.run();
+            for (std::uint32_t i = 2; i < wisp.sections(); ++i) {
+                if (!reactor.moved(i))
+                    continue;
+                const Slot slot = hair.layout.slot(hair.groom.first_section[w] + i);
+                changes.position.set(slot, wisp.x[i]);
+                for (std::uint32_t line = 0; line < wisp.k(); ++line)
+                    changes.radius.at(slot, line) = wisp.r(i, line);
+            }
+        }
+    });
+    std::uint64_t sum = 0;
+    for (std::uint64_t count : reactions)
+        sum += count;
+    return sum;
+}
+
+} // namespace mane
