@@ -30,6 +30,49 @@ struct WispDesign {
 Groom make_groom(std::span<const WispDesign> wisps, const Mesh& wearer,
                  const Vec3& gravity = {0, -9.81f, 0});
 
+/// A hairstyle, as a stylist would say it: where it grows, how it is cut, parted and combed, how
+/// wide its wisps are.
+struct StyleDesc {
+    std::uint32_t wisps = 56;   ///< [1] wisps on the head, spread evenly over the scalp
+    float segments = 7.7f;      ///< [1] simulated segments per wisp, mean; longer wisps have more
+    float nape_length = 0.34f;  ///< [m] length of the lowest wisps
+    float crown_length = 0.46f; ///< [m] length of the highest wisps
+    float length_variation = 0.06f; ///< [1] largest share by which a wisp is shorter at random
+    float root_radius = 0.012f;     ///< [m] half width of a wisp at its root
+    float radius = 0.03f;           ///< [m] half width of a wisp where it is widest
+    float tip_radius = 0.012f;      ///< [m] half width of a wisp at its tip
+    float widest = 0.5f;            ///< [1] where along a wisp it is widest
+    float thickness = 0.5f;  ///< [1] depth of a wisp, away from the head, relative to its width
+    float hairline = 0.004f; ///< [m] roots keep this distance from the edge of the scalp
+    float parting =
+        0.02f; ///< [m] the parting line's distance from the middle, to the character's left
+    float parting_width = 0.004f; ///< [m] no wisp is rooted on the line
+    float comb_side = 1;    ///< [1] how much hair is combed away from the parting; 0: not at all
+    float comb_back = 0.8f; ///< [1] how much hair in front is combed back from the face
+    float front = 0.5f;    ///< [1] hair rooted before this share of the scalp, 0 at its rear, falls
+                           ///< over the shoulders to the front
+    float root_angle = 35; ///< [deg] between a wisp and the scalp where it leaves it
+    float drape = 0.03f;   ///< [m] way over which a wisp gives in to the comb and to gravity
+    float volume = 0.02f;  ///< [m] how far the highest wisps stand off the ones below
+    float variation = 8;   ///< [deg] largest random turn of a wisp at its root
+};
+
+/// All that decides on a head of hair before it moves.
+struct HairDesc {
+    StyleDesc style;
+    SkeletonDesc skeleton;
+    EnvelopeDesc envelope;
+    StrandDesc strands;
+};
+
+/// Lays a style over a wearer in its rest pose: roots spread evenly over `scalp` (triangles of the
+/// wearer's mesh), each wisp combed from its root and draped under gravity over head and shoulders,
+/// outside of the body everywhere. The strands are shared evenly. A wisp that would fall out of its
+/// design (M44) gets a longer bending length. `seed`: another number, other roots and variations.
+/// Throws InputError for a style that cannot be laid.
+std::vector<WispDesign> lay_style(const HairDesc& hair, const Body& wearer,
+                                  std::span<const std::uint32_t> scalp, std::uint32_t seed = 1);
+
 /// A straight wisp, for tests and examples.
 struct StraightWisp {
     std::uint32_t triangle = 0;   ///< of the wearer's mesh; the root is in its middle

@@ -79,22 +79,25 @@ bool is_stable(const Shape& shape, const Material& material, const Rest& rest) {
     return is_positive_definite(stiffness, stiffness.size());
 }
 
-double stable_bending_length(const WispDesign& wisp, const Shape& shape, const Vec3d& gravity) {
+double standing_bending_length(const WispDesign& wisp, const Vec3d& gravity) {
+    const std::vector<Vec3d> position(wisp.position.begin(), wisp.position.end());
+    const Shape shape = make_shape(position, Vec3d(wisp.first_axis));
     WispDesign tried = wisp;
-    const auto holds = [&](double bending_length) {
+    const auto stands = [&](double bending_length) {
         tried.skeleton.bending_length = static_cast<float>(bending_length);
         const Material material = make_material(tried, shape);
         return is_stable(shape, material, make_rest(tried, shape, material, gravity));
     };
-    double low = wisp.skeleton.bending_length, high = low;
-    do {
-        high *= 2;
-        if (high > 32 * low)
+    const double own = wisp.skeleton.bending_length;
+    if (stands(own))
+        return own;
+    double low = own, high = 2 * own;
+    for (; !stands(high); high *= 2)
+        if (high > 32 * own)
             return 0;
-    } while (!holds(high));
     while (high - low > 1e-3 * high) {
         const double middle = (low + high) / 2;
-        (holds(middle) ? high : low) = middle;
+        (stands(middle) ? high : low) = middle;
     }
     return high;
 }

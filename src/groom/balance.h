@@ -16,8 +16,8 @@ std::vector<Vec3d> skeleton_forces(const Shape& shape, const Material& material,
 /// constant and adds nothing).
 bool is_stable(const Shape& shape, const Material& material, const Rest& rest);
 
-/// The smallest bending length [m] above the wisp's own with which the design is stable, to 0.1 %;
-/// 0 if even 32 times is not enough.
-double stable_bending_length(const WispDesign& wisp, const Shape& shape, const Vec3d& gravity);
+/// The bending length [m] with which the design stands: the wisp's own if it does; else the
+/// smallest over it that does, to 0.1 %; 0 if 32 times the wisp's own is not enough.
+double standing_bending_length(const WispDesign& wisp, const Vec3d& gravity);
 
 } // namespace mane

@@ -99,7 +99,7 @@ void add_wisp(Groom& groom, const WispDesign& wisp, const Mesh& wearer, const Ve
     const Material material = make_material(wisp, shape);
     const Rest rest = make_rest(wisp, shape, material, gravity);
     if (!is_stable(shape, material, rest)) {
-        const double enough = stable_bending_length(wisp, shape, gravity);
+        const double enough = standing_bending_length(wisp, gravity);
         throw InputError(
             "its weight would make it fall out of the designed shape: skeleton.bending_length is " +
             std::to_string(wisp.skeleton.bending_length) + " m; " +

@@ -128,8 +128,7 @@ TEST_CASE("an upright wisp buckles under its weight at Γ = 7.837, and the stiff
     CHECK_FALSE(is_stable(b.shape, b.material, b.rest));
     // Joints in place of a rod: the error falls with the square of the segment's length, 0.1 %
     // at 32.
-    CHECK(stable_bending_length(soft, b.shape, {0, -9.81, 0}) ==
-          doctest::Approx(critical).epsilon(0.003));
+    CHECK(standing_bending_length(soft, {0, -9.81, 0}) == doctest::Approx(critical).epsilon(0.003));
     CHECK_THROWS_WITH_AS(
         make_groom(std::vector{soft}, upside_down.mesh),
         doctest::Contains("wisp 0: its weight would make it fall out of the designed shape: "

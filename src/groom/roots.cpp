@@ -1,0 +1,137 @@
+#include "groom/roots.h"
+
+#include "base/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace mane {
+namespace {
+
+constexpr std::size_t kCandidates = 40; // per root: enough that gaps differ by a few percent only
+constexpr int kRelaxations = 20;
+constexpr std::uint64_t kRootNumbers =
+    0x726f6f74; // keeps these random numbers apart from the wisps' own
+
+Vec3d corner(const Mesh& mesh, std::uint32_t triangle, std::size_t k) {
+    return Vec3d(mesh.vertices[mesh.triangles[triangle][k]]);
+}
+
+ScalpPoint scalp_point(const Mesh& mesh, std::uint32_t triangle, double a, double b) {
+    const Vec3d p = corner(mesh, triangle, 0), q = corner(mesh, triangle, 1),
+                r = corner(mesh, triangle, 2);
+    return {triangle,
+            {1 - a - b, a, b},
+            p * (1 - a - b) + q * a + r * b,
+            normalized(cross(q - p, r - p))};
+}
+
+// Random points with the same density everywhere: stratified over the running sum of areas.
+std::vector<ScalpPoint> candidates(const Mesh& mesh, std::span<const std::uint32_t> scalp,
+                                   std::size_t count, std::uint32_t seed) {
+    std::vector<double> sum(scalp.size());
+    double total = 0;
+    for (std::size_t i = 0; i < scalp.size(); ++i) {
+        const Vec3d p = corner(mesh, scalp[i], 0);
+        total += length(cross(corner(mesh, scalp[i], 1) - p, corner(mesh, scalp[i], 2) - p)) / 2;
+        sum[i] = total;
+    }
+    std::vector<ScalpPoint> points;
+    std::size_t triangle = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Random random(seed, kRootNumbers, i);
+        const double at =
+            total * (static_cast<double>(i) + double{random.unit(0)}) / static_cast<double>(count);
+        while (triangle + 1 < scalp.size() && sum[triangle] < at)
+            ++triangle;
+        double a = random.unit(1), b = random.unit(2);
+        if (a + b > 1)
+            a = 1 - a, b = 1 - b;
+        points.push_back(scalp_point(mesh, scalp[triangle], a, b));
+    }
+    return points;
+}
+
+double squared_distance(const Vec3d& a, const Vec3d& b) {
+    return dot(a - b, a - b);
+}
+
+// Each next one is the candidate that is farthest from those chosen before.
+std::vector<std::size_t> farthest_first(const std::vector<ScalpPoint>& from, std::size_t count) {
+    std::vector<double> gap(from.size(), std::numeric_limits<double>::infinity());
+    std::vector<std::size_t> chosen;
+    for (std::size_t next = 0; chosen.size() < count;) {
+        chosen.push_back(next);
+        for (std::size_t i = 0; i < from.size(); ++i)
+            gap[i] = std::min(gap[i], squared_distance(from[i].position, from[next].position));
+        next = static_cast<std::size_t>(std::max_element(gap.begin(), gap.end()) - gap.begin());
+    }
+    return chosen;
+}
+
+template <typename Range, typename Position>
+std::size_t nearest(const Vec3d& p, const Range& range, Position&& position) {
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < range.size(); ++i) {
+        const double d = squared_distance(p, position(range[i]));
+        if (d < least)
+            least = d, best = i;
+    }
+    return best;
+}
+
+// Lloyd: each chosen point goes to the candidate nearest to the middle of those that are nearest to
+// it. This takes the chosen ones off the border, where farthest-first puts too many.
+void relax(const std::vector<ScalpPoint>& from, std::vector<std::size_t>& chosen) {
+    std::vector<Vec3d> sum(chosen.size());
+    std::vector<double> members(chosen.size());
+    for (const ScalpPoint& p : from) {
+        const std::size_t owner =
+            nearest(p.position, chosen, [&](std::size_t c) { return from[c].position; });
+        sum[owner] += p.position;
+        members[owner] += 1;
+    }
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (members[i] > 0)
+            chosen[i] =
+                nearest(sum[i] / members[i], from, [](const ScalpPoint& p) { return p.position; });
+}
+
+} // namespace
+
+std::vector<ScalpPoint> spread_roots(const Mesh& mesh, std::span<const std::uint32_t> scalp,
+                                     std::size_t count, std::uint32_t seed,
+                                     const std::function<bool(const ScalpPoint&)>& accept,
+                                     const std::function<Vec3d(const ScalpPoint&)>& upstream) {
+    std::vector<ScalpPoint> from = candidates(mesh, scalp, count * kCandidates, seed);
+    std::erase_if(from, [&](const ScalpPoint& p) { return !accept(p); });
+    if (from.size() <= count)
+        return from;
+    std::vector<std::size_t> chosen = farthest_first(from, count);
+    for (int i = 0; i < kRelaxations; ++i)
+        relax(from, chosen);
+    std::vector<ScalpPoint> roots;
+    for (std::size_t c : chosen) {
+        const Vec3d goal = from[c].position + upstream(from[c]);
+        roots.push_back(from[nearest(goal, from, [](const ScalpPoint& p) { return p.position; })]);
+    }
+    return roots;
+}
+
+std::vector<Vec3d> region_border(const Mesh& mesh, std::span<const std::uint32_t> scalp) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> used;
+    for (std::uint32_t t : scalp)
+        for (std::size_t k = 0; k < 3; ++k)
+            ++used[std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3])];
+    std::vector<Vec3d> border;
+    for (const auto& [edge, count] : used)
+        if (count == 1)
+            border.push_back(
+                (Vec3d(mesh.vertices[edge.first]) + Vec3d(mesh.vertices[edge.second])) / 2);
+    return border;
+}
+
+} // namespace mane
