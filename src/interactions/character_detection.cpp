@@ -156,7 +156,7 @@ void CharacterContacts::detect(const HairView& hair, std::span<const ContactBody
     carried_.resize(wisps);
     duration_ = bodies.empty() ? 0 : bodies[0].surface->duration();
     threads.run((wisps + kWispsPerChunk - 1) / kWispsPerChunk, [&](std::size_t chunk) {
-        WispCopy wisp(hair.groom.envelope_points);
+        WispCopy wisp;
         const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
         for (std::size_t w = chunk * kWispsPerChunk; w < end; ++w) {
             wisp.load(hair, static_cast<std::uint32_t>(w));

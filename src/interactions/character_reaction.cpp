@@ -298,13 +298,13 @@ class Reactor {
 } // namespace
 
 std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const ContactBody> bodies,
-                                       const CharacterContactDesc& desc, PositionChanges changes,
+                                       const CharacterContactDesc& desc, State& state,
                                        Threads& threads) const {
     const std::size_t wisps = hair.groom.wisp_count();
     const std::size_t chunks = (wisps + kWispsPerChunk - 1) / kWispsPerChunk;
     std::vector<std::uint64_t> reactions(chunks, 0);
     threads.run(chunks, [&](std::size_t chunk) {
-        WispCopy wisp(hair.groom.envelope_points);
+        WispCopy wisp;
         const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
         for (std::size_t w = chunk * kWispsPerChunk; w < end; ++w) {
             wisp.load(hair, static_cast<std::uint32_t>(w));
@@ -313,12 +313,8 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
             Reactor reactor(wisp, bodies, none.empty() ? carried_[w] : none, double(desc.push_out));
             reactions[chunk] += reactor.run();
             for (std::uint32_t i = 2; i < wisp.sections(); ++i) {
-                if (!reactor.moved(i))
-                    continue;
-                const Slot slot = hair.layout.slot(hair.groom.first_section[w] + i);
-                changes.position.set(slot, wisp.x[i]);
-                for (std::uint32_t line = 0; line < wisp.k(); ++line)
-                    changes.radius.at(slot, line) = wisp.r(i, line);
+                if (reactor.moved(i))
+                    wisp.store_place(hair, i, state);
             }
         }
     });
