@@ -6,6 +6,7 @@
 #include "interactions/wisp_response.h"
 #include "reference/random_contacts.h"
 #include "reference/random_groom.h"
+#include "step/core_hair.h"
 
 #include <doctest/doctest.h>
 
@@ -20,72 +21,19 @@ using reference::Contact;
 
 namespace {
 
-/// The core's view of the same hair, with the twin's frames.
-struct Core {
-    Groom groom;
-    Layout layout;
-    RestRows rest;
-    std::vector<HalfLine> lines;
-    State state;
-    SectionFrames frames;
-
-    Core(const Groom& g, const Frame& frame, const reference::Hair& twin)
-        : groom(g), layout(groom), rest(groom, layout), lines(half_lines(groom.envelope_points)),
-          state(layout.rows(), groom.envelope_points), frames(layout.rows()) {
-        const std::uint32_t k = groom.envelope_points;
-        const reference::Frames axes = all_frames(twin);
-        for (std::uint32_t w = 0; w < groom.wisp_count(); ++w)
-            for (std::uint32_t i = 0; i < groom.sections(w); ++i) {
-                const std::uint32_t s = groom.first_section[w] + i;
-                const Slot slot = layout.slot(s);
-                state.position.set(slot, frame.position[s]);
-                state.velocity.set(slot, frame.velocity[s]);
-                for (std::uint32_t e = 0; e < k; ++e) {
-                    state.radius.at(slot, e) = frame.radius[s * k + e];
-                    state.radius_rate.at(slot, e) = frame.radius_rate[s * k + e];
-                }
-                frames.u.set(slot, Vec3(axes[w][i].u));
-                frames.v.set(slot, Vec3(axes[w][i].v));
-                frames.normal.set(slot, Vec3(axes[w][i].n));
-            }
-    }
-    HairView view() const { return {groom, layout, rest, state, frames, lines}; }
-
-    std::uint32_t section(const reference::Site& site) const {
-        return groom.first_section[site.wisp] + static_cast<std::uint32_t>(site.section);
-    }
-    WispContact contact(const Contact& c) const {
-        WispContact out;
-        out.section = section(c.point);
-        if (c.k == Contact::kAxis)
-            out.point = {ContactPoint::kAxis};
-        else if (c.k >= 0)
-            out.point = ContactPoint::envelope(static_cast<std::uint32_t>(c.k));
-        out.kind = c.friction ? WispContactKind::friction : WispContactKind::collision;
-        out.segment = section(c.segment);
-        out.s = static_cast<float>(c.s);
-        out.along = static_cast<float>(c.along);
-        out.density = static_cast<float>(c.density);
-        return out;
-    }
-};
-
 /// The same random hair for both.
 struct Both {
     Groom groom;
     Frame frame;
     reference::Hair twin;
-    Core core;
+    CoreHair core;
 
     explicit Both(const reference::RandomHair& recipe)
-        : groom(random_groom(recipe)), frame(random_state(recipe, groom, 1)), twin(posed()),
-          core(groom, frame, twin) {}
-
-  private:
-    reference::Hair posed() const {
-        reference::Hair hair(groom);
-        set_state(hair, frame);
-        return hair;
+        : groom(random_groom(recipe)), frame(random_state(recipe, groom, 1)), twin(groom),
+          core(groom) {
+        set_state(twin, frame);
+        core.take(frame);
+        core.take(all_frames(twin));
     }
 };
 
@@ -109,9 +57,7 @@ TEST_CASE("the core finds the contacts that comparing everything with everything
                          .most_sections = 9,
                          .spread = 0.03});
         const reference::Detection expected = detect(both.twin, {});
-        std::vector<WispContact> expected_contacts;
-        for (const Contact& c : expected.contacts)
-            expected_contacts.push_back(both.core.contact(c));
+        const std::vector<WispContact> expected_contacts = both.core.take(expected.contacts);
 
         WispDetection detection({});
         Threads threads(1);
@@ -161,16 +107,13 @@ TEST_CASE("the core answers a list of contacts as the twin does") {
                    .points = static_cast<std::uint32_t>(3 + seed % 6),
                    .most_sections = 8});
         const std::vector<Contact> contacts = random_contacts(both.twin, 1 + seed, seed);
-        std::vector<WispContact> core_contacts;
-        for (const Contact& c : contacts)
-            core_contacts.push_back(both.core.contact(c));
         const float time = seed % 3 ? 1.0f / 120 : 0.0f;
 
         const reference::Hair before = both.twin;
         respond(both.twin, contacts, {}, double{time});
         WispResponse response({});
         Threads threads(1);
-        response.engage(both.core.view(), core_contacts);
+        response.engage(both.core.view(), both.core.take(contacts));
         response.apply(both.core.view(), both.core.state, time, threads);
 
         // Every velocity comes from sums over the contacts of its section, with masses that differ

@@ -1,7 +1,7 @@
 #include "base/random.h"
-#include "model/state.h"
 #include "reference/random_groom.h"
 #include "reference/twin.h"
+#include "step/core_hair.h"
 #include "step/kernels.h"
 
 #include "mane/error.h"
@@ -23,30 +23,25 @@ namespace {
 
 constexpr float kStep = 1e-4f;
 
-struct Core {
+struct Core : CoreHair {
     explicit Core(const Groom& g)
-        : groom(g), layout(groom), rest(groom, layout), lines(half_lines(groom.envelope_points)),
-          state(layout.rows(), groom.envelope_points), frames(layout.rows()),
-          root_axis(layout.packets().size(), 3), roots(layout.packets().size()),
+        : CoreHair(g), root_axis(layout.packets().size(), 3), roots(layout.packets().size()),
           wind(layout.rows(), 3) {}
 
     void take(const Frame& frame) {
-        const std::uint32_t k = groom.envelope_points;
-        for (std::uint32_t s = 0; s < groom.section_count(); ++s) {
-            const Slot slot = layout.slot(s);
-            state.position.set(slot, frame.position[s]);
-            state.velocity.set(slot, frame.velocity[s]);
-            for (std::uint32_t e = 0; e < k; ++e) {
-                state.radius.at(slot, e) = frame.radius[s * k + e];
-                state.radius_rate.at(slot, e) = frame.radius_rate[s * k + e];
-            }
-            wind.set(slot, air_at(s));
-        }
-        for (std::size_t p = 0; p < layout.packets().size(); ++p)
+        CoreHair::take(frame);
+        for (std::uint32_t s = 0; s < groom.section_count(); ++s)
+            wind.set(layout.slot(s), air_at(s));
+        for (std::size_t w = 0; w < groom.wisp_count(); ++w)
+            root_axis.set(packet_lane(w), frame.first_axis[w]);
+    }
+    /// Where a wisp's own numbers are in rows of one per packet.
+    Slot packet_lane(std::size_t w) const {
+        for (std::uint32_t p = 0; p < layout.packets().size(); ++p)
             for (std::uint32_t lane = 0; lane < kLanes; ++lane)
-                if (layout.packets()[p].wisp[lane] != Layout::kNoWisp)
-                    root_axis.set({static_cast<std::uint32_t>(p), lane},
-                                  frame.first_axis[layout.packets()[p].wisp[lane]]);
+                if (layout.packets()[p].wisp[lane] == w)
+                    return {p, lane};
+        return {};
     }
     static Vec3 air_at(std::uint32_t section) {
         const Random random(99, section);
@@ -67,12 +62,6 @@ struct Core {
                 .step = kStep};
     }
 
-    Groom groom;
-    Layout layout;
-    RestRows rest;
-    std::vector<HalfLine> lines;
-    State state;
-    SectionFrames frames;
     Rows root_axis;
     RootMotion roots;
     Rows wind;
@@ -80,21 +69,10 @@ struct Core {
 
 reference::Hair twin_of(const Groom& groom, const Frame& frame) {
     reference::Hair hair(groom);
-    const std::uint32_t k = groom.envelope_points;
-    for (std::size_t w = 0; w < groom.wisp_count(); ++w) {
-        reference::Wisp& wisp = hair.wisps[w];
-        wisp.u0 = Vec3d(frame.first_axis[w]);
-        for (std::uint32_t i = 0; i < groom.sections(w); ++i) {
-            const std::uint32_t s = groom.first_section[w] + i;
-            wisp.x[i] = Vec3d(frame.position[s]);
-            wisp.v[i] = Vec3d(frame.velocity[s]);
-            wisp.air[i] = Vec3d(Core::air_at(s));
-            for (std::uint32_t e = 0; e < k; ++e) {
-                wisp.r[i][e] = frame.radius[s * k + e];
-                wisp.r_rate[i][e] = frame.radius_rate[s * k + e];
-            }
-        }
-    }
+    set_state(hair, frame);
+    for (std::size_t w = 0; w < groom.wisp_count(); ++w)
+        for (std::uint32_t i = 0; i < groom.sections(w); ++i)
+            hair.wisps[w].air[i] = Vec3d(Core::air_at(groom.first_section[w] + i));
     return hair;
 }
 
