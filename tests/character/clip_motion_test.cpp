@@ -152,15 +152,33 @@ TEST_CASE("the naming families are found, other names are set") {
         clip_motion(make_clip(names, 5), {})->evaluate(0, bones);
     Clip clip = make_clip({"thorax", "cervix", "Head"}, 5);
     CHECK(error_of(clip, {}) ==
-          "made.bvh: chest, neck and head are not found by name, set them; the clip's joints "
-          "are Hips, thorax, cervix, Head");
+          "made.bvh: chest and head are not found by name, set them; the clip's joints are "
+          "Hips, thorax, cervix, Head");
     ClipMotionDesc desc;
     desc.chest = "thorax";
-    desc.neck = "cervix";
     clip_motion(clip, desc)->evaluate(0, bones);
-    desc.neck = "collum";
+    desc.chest = "thorex";
     CHECK(error_of(clip, desc) ==
-          "made.bvh: no joint \"collum\"; the clip's joints are Hips, thorax, cervix, Head");
+          "made.bvh: no joint \"thorex\"; the clip's joints are Hips, thorax, cervix, Head");
+}
+
+TEST_CASE("the neck turns by half of the head's turn on the chest, whatever the signs of their "
+          "quaternions") {
+    Clip clip = make_clip(kCmu, 30);
+    for (std::uint32_t f = 0; f < 30; ++f) {
+        frame(clip, f)[3] =
+            200 + f;            // the chest's quaternion has a negative scalar part from 180° on
+        frame(clip, f)[9] = 60; // the head nods
+    }
+    BonePose bones[kBustBones];
+    clip_motion(clip, {})->evaluate(0.2, bones);
+    const Quatd neck = bones[kChestBone].rotation.conjugate() * bones[kNeckBone].rotation;
+    CHECK(std::fabs(neck.x) ==
+          doctest::Approx(std::sin(15 * 3.14159265358979 / 180)).epsilon(1e-6));
+    const Quatd head = bones[kNeckBone].rotation.conjugate() * bones[kHeadBone].rotation;
+    CHECK(std::fabs(head.x) ==
+          doctest::Approx(std::sin(15 * 3.14159265358979 / 180)).epsilon(1e-6));
+    check_rates(*clip_motion(clip, {}), 0.21);
 }
 
 TEST_CASE("ranges, rates and units that cannot be used are refused") {
