@@ -11,10 +11,10 @@ namespace {
 // Finer where the shape is: eyes, nose and lips, then the ears, then the head; coarse on the chest.
 double bust_edge_length(const Vec3d& p) {
     const Vec3d q{std::fabs(p.x), p.y, p.z};
-    const double features = ellipsoid(q, {0, 1.505, 0.095}, {0.040, 0.055, 0.030});
+    const double features = ellipsoid(q, {0, 1.505, 0.095}, {0.042, 0.058, 0.030});
     const double ear = ball(q, {0.075, 1.527, -0.016}, 0.026);
     const double head = ellipsoid(q, {0, 1.54, -0.005}, {0.085, 0.115, 0.11});
-    const double at_features = 0.0040 + 0.15 * std::max(features, 0.0);
+    const double at_features = 0.0034 + 0.15 * std::max(features, 0.0);
     const double at_ear = 0.0052 + 0.15 * std::max(ear, 0.0);
     const double at_head = 0.0100 + 0.15 * std::max(head, 0.0);
     return std::min({at_features, at_ear, at_head, 0.0200});

@@ -56,9 +56,9 @@ double nose(const Vec3d& p) {
 }
 
 double lips(const Vec3d& p) {
-    const double upper = cone(p, {0, 1.4772, 0.0862}, 0.0046, {0.0215, 1.4728, 0.0775}, 0.0030);
-    const double lower = cone(p, {0, 1.4672, 0.0852}, 0.0056, {0.0195, 1.4716, 0.0775}, 0.0030);
-    return smooth_union(upper, lower, 0.0030);
+    const double upper = cone(p, {0, 1.4774, 0.0858}, 0.0045, {0.0215, 1.4732, 0.0778}, 0.0028);
+    const double lower = cone(p, {0, 1.4664, 0.0846}, 0.0056, {0.0185, 1.4694, 0.0778}, 0.0032);
+    return smooth_union(upper, lower, 0.0016);
 }
 
 double neck(const Vec3d& p) {
