@@ -33,7 +33,7 @@ function(mane_core_library)
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
     target_link_libraries(mane PRIVATE $<BUILD_INTERFACE:mane_highway>)
     if(NOT EMSCRIPTEN)
-        target_link_libraries(mane PRIVATE $<INSTALL_INTERFACE:HWY::hwy> $<INSTALL_INTERFACE:Threads::Threads>)
+        target_link_libraries(mane PRIVATE $<INSTALL_INTERFACE:hwy::hwy> $<INSTALL_INTERFACE:Threads::Threads>)
     endif()
 endfunction()
 

@@ -12,6 +12,7 @@
 #include "mane/body.h"
 #include "mane/frame.h"
 #include "mane/groom.h"
+#include "mane/setup.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,14 +24,6 @@
 #include <vector>
 
 namespace mane {
-
-/// What stays the same over all frames of a run.
-struct CacheSetup {
-    std::string scene; ///< the whole scene as TOML (`write_scene`)
-    Groom groom;
-    std::vector<Body>
-        bodies; ///< the wearer first; their motions are not stored, but their poses at each frame
-};
 
 /// The bones of each body at one frame. Poses and the skin give every vertex; they are a hundred
 /// times smaller than the vertices.
@@ -59,7 +52,7 @@ struct ChunkInfo {
 class CacheWriter {
   public:
     /// Throws InputError when the file cannot be written.
-    CacheWriter(std::filesystem::path file, const CacheSetup& setup);
+    CacheWriter(std::filesystem::path file, const RunSetup& setup);
     /// Unfinished: keeps `FILE.part` if it holds a frame, else removes it.
     ~CacheWriter();
     CacheWriter(const CacheWriter&) = delete;
@@ -94,7 +87,7 @@ class CacheReader {
     CacheReader& operator=(CacheReader&&) noexcept;
 
     std::uint32_t version() const;
-    const CacheSetup& setup() const;
+    const RunSetup& setup() const;
     std::size_t frame_count() const;
     Frame frame(std::size_t i) const;
     BodyPoses poses(std::size_t i) const;

@@ -18,9 +18,10 @@ namespace mane {
 
 struct SceneDesc;
 struct ObstacleDesc;
+struct ObstacleKeyDesc;
 
 /// A field's value. Enumerations are strings, one of the field's choices.
-using Value = std::variant<bool, std::uint32_t, float, Ramp, Vec3, std::string>;
+using Value = std::variant<bool, std::uint32_t, float, double, Ramp, Vec3, std::string>;
 
 /// A value as a person wrote it, in a scene file or on the command line, before it is known what it
 /// is for.
@@ -69,15 +70,24 @@ template <typename Root> struct FieldOf : FieldInfo {
     void (*set)(Root&, const Value&) = nullptr;
 };
 using Field = FieldOf<SceneDesc>;
-using ObstacleField = FieldOf<ObstacleDesc>;
 
-/// All fields of a scene, section by section.
-std::span<const Field> scene_fields();
-/// The fields of one `[[obstacle]]`.
-std::span<const ObstacleField> obstacle_fields();
+/// The fields of a struct, section by section: of a scene, of one `[[obstacle]]` or of one
+/// `[[obstacle.key]]`.
+template <typename Root> std::span<const FieldOf<Root>> fields_of();
+template <> std::span<const FieldOf<SceneDesc>> fields_of();
+template <> std::span<const FieldOf<ObstacleDesc>> fields_of();
+template <> std::span<const FieldOf<ObstacleKeyDesc>> fields_of();
+/// What is known of all of them, in this order.
+std::span<const FieldInfo* const> all_fields();
 
 /// The field with this section and name, or null.
-const Field* find_field(std::string_view section, std::string_view name);
+template <typename Root = SceneDesc>
+const FieldOf<Root>* find_field(std::string_view section, std::string_view name) {
+    for (const FieldOf<Root>& f : fields_of<Root>())
+        if (f.section == section && f.name == name)
+            return &f;
+    return nullptr;
+}
 
 /// What a literal means for a field. Numbers may carry a unit: `"6 cm"`. Throws InputError
 /// "`where`: `key`: found …, expected …" for a wrong type, unit or choice, or a number out of

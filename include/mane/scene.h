@@ -1,7 +1,9 @@
 #pragma once
 
+#include "mane/character.h"
 #include "mane/desc.h"
 #include "mane/fields.h"
+#include "mane/style.h"
 
 #include <filesystem>
 #include <string>
@@ -18,12 +20,51 @@ struct WispOverride {
         settings; ///< full key and value, per-wisp fields only
 };
 
+/// Who wears the hair.
+struct CharacterDesc {
+    std::string mesh;  ///< OBJ file, closed or nearly so; empty: the built-in bust
+    double unit = 1;   ///< [m] one unit of the mesh's coordinates
+    Vec3 offset;       ///< [m] moves the mesh, so that its head turns where the bust's does
+    Vec3 scalp_centre; ///< [m] middle of the ball whose triangles are the scalp, in the rest pose
+    float scalp_radius = 0; ///< [m] of that ball; 0: the built-in bust's own scalp
+};
+
+/// What moves the character.
+struct MotionDesc {
+    std::string clip; ///< BVH file; empty: the built-in motion
+    ClipMotionDesc drive;
+    bool still = false; ///< the character does not move at all
+    double freeze = 0;  ///< [s] from this time on the motion comes to rest; 0: never
+};
+
+/// What an obstacle looks like.
+enum class ObstacleShape : std::uint8_t { box, sphere, mesh };
+
+/// Where an obstacle is at a time.
+struct ObstacleKeyDesc {
+    double time = 0; ///< [s]
+    Vec3 position;   ///< [m] of the obstacle's own origin
+    Vec3 rotation;   ///< [deg] about this axis by its length
+};
+
+/// A body beside the character (M34).
+struct ObstacleDesc {
+    std::string name = "obstacle";            ///< for messages and pictures
+    ObstacleShape shape = ObstacleShape::box; ///< a box, an ellipsoid or a file
+    Vec3 size = {0.2f, 0.2f, 0.2f};           ///< [m] of a box or ellipsoid, along its axes
+    std::string mesh;                         ///< OBJ file, for the shape "mesh"
+    double unit = 1;                          ///< [m] one unit of the mesh's coordinates
+    bool worn = false; ///< a hat: it moves with the head and wisps may start inside it
+    std::vector<ObstacleKeyDesc> keys; ///< its motion, at rest before the first and after the last
+};
+
 /// All that a scene file says. Its keys are those of the table of fields.
 struct SceneDesc {
     SimulationDesc simulation;
-    SkeletonDesc skeleton;
-    EnvelopeDesc envelope;
-    StrandDesc strands;
+    HairDesc hair;
+    CharacterDesc character;
+    MotionDesc motion;
+    std::vector<ObstacleDesc> obstacles;
     std::vector<WispOverride> overrides;
 };
 
@@ -37,6 +78,12 @@ void apply_rates(SceneDesc& scene, std::string_view preset);
 
 /// Conditions between fields. Throws InputError "`where`: …".
 void check_scene(const SceneDesc& scene, const std::string& where);
+
+/// A closed box or ellipsoid around its origin. Throws InputError for the shape "mesh", which is a
+/// file's.
+Mesh obstacle_mesh(const ObstacleDesc& obstacle);
+/// An obstacle's keys as `keyframed_motion` takes them.
+std::vector<MotionKey> obstacle_keys(const ObstacleDesc& obstacle);
 
 /// Reads a scene file (TOML). Throws InputError with file and line.
 SceneDesc read_scene(const std::filesystem::path& file);

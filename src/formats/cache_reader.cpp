@@ -9,7 +9,7 @@ namespace mane {
 struct CacheReader::Data {
     mutable ChunkFile file;
     std::string name;
-    CacheSetup setup;
+    RunSetup setup;
     std::vector<ChunkInfo> frames;
 
     explicit Data(const std::filesystem::path& path) : file(path), name(path.string()) {
@@ -51,7 +51,7 @@ CacheReader& CacheReader::operator=(CacheReader&&) noexcept = default;
 std::uint32_t CacheReader::version() const {
     return data_->file.version();
 }
-const CacheSetup& CacheReader::setup() const {
+const RunSetup& CacheReader::setup() const {
     return data_->setup;
 }
 std::size_t CacheReader::frame_count() const {

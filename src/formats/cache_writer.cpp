@@ -79,7 +79,7 @@ struct CacheWriter::Data {
     }
 };
 
-CacheWriter::CacheWriter(std::filesystem::path file, const CacheSetup& setup)
+CacheWriter::CacheWriter(std::filesystem::path file, const RunSetup& setup)
     : data_(std::make_unique<Data>(std::move(file))) {
     data_->wisps = setup.groom.wisp_count();
     data_->sections = setup.groom.section_count();

@@ -36,6 +36,7 @@ struct TypeSchema {
     Json operator()(bool) const { return {{"type", "boolean"}}; }
     Json operator()(std::uint32_t) const { return number_schema(field, "integer"); }
     Json operator()(float) const { return quantity_schema(field); }
+    Json operator()(double) const { return quantity_schema(field); }
     Json operator()(const Ramp&) const {
         Json either = quantity_schema(field);
         either["anyOf"].push_back(list_schema(field, 2));
@@ -72,10 +73,21 @@ Json closed_object() {
     return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
 }
 
-/// The sections that hold the fields for which `wanted` is true.
+Json table_list(Json table) {
+    return {{"type", "array"}, {"items", std::move(table)}};
+}
+
+template <typename Root> Json table_schema() {
+    Json schema = closed_object();
+    for (const FieldOf<Root>& f : fields_of<Root>())
+        schema["properties"][std::string(f.name)] = field_schema(f);
+    return schema;
+}
+
+/// The sections of a scene, with the fields for which `wanted` is true.
 template <typename Wanted> Json sections_schema(const Wanted& wanted) {
     Json schema = closed_object();
-    for (const Field& f : scene_fields()) {
+    for (const Field& f : fields_of<SceneDesc>()) {
         if (!wanted(f))
             continue;
         Json& sections = schema["properties"];
@@ -87,17 +99,28 @@ template <typename Wanted> Json sections_schema(const Wanted& wanted) {
     return schema;
 }
 
+Json obstacle_schema() {
+    Json obstacle = table_schema<ObstacleDesc>();
+    obstacle["properties"]["key"] = table_list(table_schema<ObstacleKeyDesc>());
+    return obstacle;
+}
+
+Json override_schema() {
+    Json each = sections_schema([](const Field& f) { return has(f.use, FieldUse::per_wisp); });
+    each["properties"]["wisps"] = {
+        {"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 0}}}, {"minItems", 1}};
+    each["required"] = {"wisps"};
+    return each;
+}
+
 } // namespace
 
 std::string scene_schema() {
     Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                 {"title", "mane scene"}};
     schema.update(sections_schema([](const Field&) { return true; }));
-    Json each = sections_schema([](const Field& f) { return has(f.use, FieldUse::per_wisp); });
-    each["properties"]["wisps"] = {
-        {"type", "array"}, {"items", {{"type", "integer"}, {"minimum", 0}}}, {"minItems", 1}};
-    each["required"] = {"wisps"};
-    schema["properties"]["override"] = {{"type", "array"}, {"items", each}};
+    schema["properties"]["obstacle"] = table_list(obstacle_schema());
+    schema["properties"]["override"] = table_list(override_schema());
     return schema.dump(2) + "\n";
 }
 

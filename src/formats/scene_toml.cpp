@@ -4,6 +4,7 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -29,20 +30,41 @@ Literal to_literal(const toml::node& node, const std::string& where) {
     return {std::move(items)};
 }
 
+std::string section_names() {
+    std::string names = "override";
+    std::string_view section;
+    for (const FieldInfo* f : all_fields())
+        if (f->section != section) {
+            section = f->section;
+            names += ", " + std::string(section);
+        }
+    return names;
+}
+
+std::string similar_section(const std::string& name) {
+    std::vector<std::string> known{"override"};
+    for (const FieldInfo* f : all_fields())
+        known.emplace_back(f->section);
+    const std::string nearest = nearest_name(name, known);
+    return nearest.empty() ? " (known: " + section_names() + ")"
+                           : " (did you mean [" + nearest + "]?)";
+}
+
 /// Reads one document. Messages start with `name` and the line.
 class SceneReader {
   public:
     SceneReader(std::string name, std::filesystem::path folder)
         : name_(std::move(name)), folder_(std::move(folder)) {}
 
-    SceneDesc read(const toml::table& document) {
+    SceneDesc read(const toml::table& document) const {
         SceneDesc scene;
         for (const auto& [key, node] : document) {
-            const std::string section(key.str());
-            if (section == "override")
-                read_list(section, node, [&](const toml::table& t) { read_override(scene, t); });
+            if (key == "override")
+                read_list("override", node, [&](const toml::table& t) { read_override(scene, t); });
+            else if (key == "obstacle")
+                read_list("obstacle", node, [&](const toml::table& t) { read_obstacle(scene, t); });
             else
-                read_section(section, key, node, [&](const Field& f, Value v) { f.set(scene, v); });
+                read_section(key, node, [&](const Field& f, const Value& v) { f.set(scene, v); });
         }
         check_scene(scene, name_);
         return scene;
@@ -53,24 +75,38 @@ class SceneReader {
         return name_ + ":" + std::to_string(source.begin.line);
     }
 
-    /// Calls `set(field, value)` for each key of a `[section]`.
-    template <typename Set> void read_section(const std::string& section, const toml::key& key,
-                                              const toml::node& node, const Set& set) const {
-        const std::string where = at(key.source());
-        if (!known_section(section))
-            throw InputError(where + ": unknown section [" + section + "]" +
+    /// Calls `set(field, value)` for each key of a `[section]` of the scene.
+    template <typename Set>
+    void read_section(const toml::key& key, const toml::node& node, const Set& set) const {
+        const std::string section(key.str());
+        const auto fields = fields_of<SceneDesc>();
+        if (std::ranges::find(fields, section, &Field::section) == fields.end())
+            throw InputError(at(key.source()) + ": unknown section [" + section + "]" +
                              similar_section(section));
         const toml::table* table = node.as_table();
         if (!table)
-            throw InputError(where + ": found a value, expected the section [" + section + "]");
-        for (const auto& [name, value] : *table) {
-            const Field* field = find_field(section, name.str());
-            const std::string place = at(name.source());
-            if (!field)
-                throw InputError(place + ": unknown key " + section + "." +
-                                 std::string(name.str()) + suggestion(section, name.str()));
-            set(*field, read_value(*field, value, place));
-        }
+            throw InputError(at(key.source()) + ": found a value, expected the section [" +
+                             section + "]");
+        for (const auto& [name, value] : *table)
+            read_field<SceneDesc>(section, name, value, set);
+    }
+
+    template <typename Root, typename Set>
+    void read_field(const std::string& section, const toml::key& name, const toml::node& node,
+                    const Set& set) const {
+        const std::string where = at(name.source());
+        const FieldOf<Root>* field = find_field<Root>(section, name.str());
+        if (!field)
+            throw InputError(where + ": unknown key " + section + "." + std::string(name.str()) +
+                             suggestion(section, name.str()));
+        Value value = interpret(*field, to_literal(node, where), where);
+        if (has(field->use, FieldUse::path))
+            value = resolved(std::get<std::string>(value));
+        set(*field, value);
+    }
+
+    std::string resolved(const std::string& file) const {
+        return file.empty() ? file : (folder_ / file).lexically_normal().generic_string();
     }
 
     /// Calls `read` for each table of a `[[list]]`.
@@ -83,18 +119,38 @@ class SceneReader {
             read(*item.as_table());
     }
 
+    void read_obstacle(SceneDesc& scene, const toml::table& table) const {
+        ObstacleDesc obstacle;
+        const auto set = [](auto& into) {
+            return [&](const auto& f, const Value& v) { f.set(into, v); };
+        };
+        const auto read_key = [&](const toml::table& t) {
+            ObstacleKeyDesc place;
+            for (const auto& [key, node] : t)
+                read_field<ObstacleKeyDesc>("obstacle.key", key, node, set(place));
+            obstacle.keys.push_back(place);
+        };
+        for (const auto& [key, node] : table) {
+            if (key == "key")
+                read_list("obstacle.key", node, read_key);
+            else
+                read_field<ObstacleDesc>("obstacle", key, node, set(obstacle));
+        }
+        scene.obstacles.push_back(std::move(obstacle));
+    }
+
     void read_override(SceneDesc& scene, const toml::table& table) const {
         WispOverride result;
         for (const auto& [key, node] : table) {
-            if (key == "wisps") {
-                result.wisps = read_wisps(node);
+            if (key == "wisps" && node.is_array()) {
+                result.wisps = read_wisps(*node.as_array());
                 continue;
             }
-            read_section(std::string(key.str()), key, node, [&](const Field& field, Value value) {
+            read_section(key, node, [&](const Field& field, const Value& value) {
                 if (!has(field.use, FieldUse::per_wisp))
                     throw InputError(at(key.source()) + ": " + field.key() +
                                      " is one for all wisps, no [[override]] can set it");
-                result.settings.emplace_back(field.key(), std::move(value));
+                result.settings.emplace_back(field.key(), value);
             });
         }
         if (result.wisps.empty())
@@ -102,53 +158,16 @@ class SceneReader {
         scene.overrides.push_back(std::move(result));
     }
 
-    std::vector<std::uint32_t> read_wisps(const toml::node& node) const {
+    std::vector<std::uint32_t> read_wisps(const toml::array& array) const {
         std::vector<std::uint32_t> wisps;
-        const toml::array* array = node.as_array();
-        for (std::size_t i = 0; array && i < array->size(); ++i) {
-            const std::optional<std::int64_t> wisp = array->get(i)->value_exact<std::int64_t>();
+        for (const toml::node& item : array) {
+            const std::optional<std::int64_t> wisp = item.value_exact<std::int64_t>();
             if (!wisp || *wisp < 0 || *wisp > 0xffffffff)
-                array = nullptr;
-            else
-                wisps.push_back(static_cast<std::uint32_t>(*wisp));
+                throw InputError(at(item.source()) +
+                                 ": override.wisps: expected a list of wisp numbers, from 0");
+            wisps.push_back(static_cast<std::uint32_t>(*wisp));
         }
-        if (!array)
-            throw InputError(at(node.source()) +
-                             ": override.wisps: expected a list of wisp numbers, from 0");
         return wisps;
-    }
-
-    template <typename Info>
-    Value read_value(const Info& field, const toml::node& node, const std::string& where) const {
-        Value value = interpret(field, to_literal(node, where), where);
-        if (!has(field.use, FieldUse::path))
-            return value;
-        const std::string& text = std::get<std::string>(value);
-        return text.empty() ? value : Value((folder_ / text).lexically_normal().generic_string());
-    }
-
-    static std::vector<std::string> sections() {
-        std::vector<std::string> names{"override"};
-        for (const Field& f : scene_fields())
-            if (names.back() != f.section)
-                names.emplace_back(f.section);
-        return names;
-    }
-    static bool known_section(const std::string& name) {
-        for (const Field& f : scene_fields())
-            if (f.section == name)
-                return true;
-        return false;
-    }
-    static std::string similar_section(const std::string& name) {
-        const std::vector<std::string> known = sections();
-        const std::string nearest = nearest_name(name, known);
-        if (!nearest.empty())
-            return " (did you mean [" + nearest + "]?)";
-        std::string all;
-        for (const std::string& k : known)
-            all += (all.empty() ? "" : ", ") + k;
-        return " (known: " + all + ")";
     }
 
     std::string name_;
@@ -195,7 +214,8 @@ void apply_setting(SceneDesc& scene, std::string_view setting) {
     Literal literal{value}; // a bare word, unless TOML knows better
     try {
         const toml::table table = toml::parse("value = " + value);
-        if (table.size() == 1) literal = to_literal(*table.get("value"), where);
+        if (table.size() == 1)
+            literal = to_literal(*table.get("value"), where);
     } catch (const toml::parse_error&) {
     }
     field->set(scene, interpret(*field, literal, where));

@@ -37,19 +37,7 @@ struct SlidingContact {
 struct CarriedPoint {
     bool near = false; ///< whether any polygon was near enough to be met within the block
     Vec3 position;     ///< [m]
-};
-
-/// Velocity changes that a step's answers add to, in the layout of the state.
-struct VelocityChanges {
-    Rows velocity;    ///< [m/s]
-    Rows radius_rate; ///< [m/s]
-};
-
-/// Positions and radii after the penetration reaction: written for every simulated section that it
-/// moved, and for no other.
-struct PositionChanges {
-    Rows& position; ///< [m]
-    Rows& radius;   ///< [m]
+    std::uint32_t triangle = PosedSurface::kNoGuess; ///< the nearest, of this block or an earlier
 };
 
 /// The hair's contacts with the character and the obstacles (§4.2). Wisps are answered apart from
@@ -61,18 +49,17 @@ class CharacterContacts {
     void detect(const HairView& hair, std::span<const ContactBody> bodies,
                 const CharacterContactDesc& desc, Threads& threads);
 
-    /// In the velocity stage of a step of length `dt` [s] within the block: adds to `changes` what
-    /// the engaged contacts ask. `fraction`: how much of the block has passed at the time of the
-    /// state's positions.
+    /// In the velocity stage of a step of length `dt` [s] within the block: changes `velocity` and
+    /// `radius_rate` of `state`, which `hair` views, as the engaged contacts ask. `fraction`: how
+    /// much of the block has passed at the time of the state's positions.
     void respond(const HairView& hair, const CharacterContactDesc& desc, float fraction, float dt,
-                 VelocityChanges& changes, Threads& threads) const;
+                 State& state, Threads& threads) const;
 
-    /// At a block's end, on the new positions (frames and half lines of the new curve): the
-    /// penetration reaction (M31–M33), against the bodies' poses at the block's end. Returns how
-    /// many points and radii it moved.
+    /// At a block's end, on the new positions (with the frames of the new curve): the penetration
+    /// reaction (M31-M33), against the bodies' poses at the block's end. Changes `position` and
+    /// `radius` of `state`, which `hair` views. Returns how many points and radii it moved.
     std::uint64_t react(const HairView& hair, std::span<const ContactBody> bodies,
-                        const CharacterContactDesc& desc, PositionChanges changes,
-                        Threads& threads) const;
+                        const CharacterContactDesc& desc, State& state, Threads& threads) const;
 
     std::span<const SlidingContact> of_wisp(std::size_t wisp) const { return contacts_[wisp]; }
     std::uint64_t count() const;

@@ -19,40 +19,47 @@ Shares shares(const WispPoint& p) {
 
 } // namespace
 
-WispCopy::WispCopy(std::uint32_t envelope_points) : lines_(half_lines(envelope_points)) {}
+Slot WispCopy::slot(const HairView& hair, std::uint32_t section) const {
+    return hair.layout.slot(hair.groom.first_section[number_] + section);
+}
 
-void WispCopy::load(const HairView& hair, std::uint32_t wisp) {
-    const Groom& groom = hair.groom;
-    const std::size_t n = groom.sections(wisp);
-    for (auto* vectors : {&x, &v, &u, &w, &normal})
-        vectors->resize(n);
-    for (auto* numbers : {&radius, &radius_rate})
-        numbers->resize(n * k());
+void WispCopy::load(const HairView& hair, std::uint32_t number) {
+    number_ = number;
+    lines_ = hair.half_lines;
+    const std::size_t n = hair.groom.sections(number);
+    x.resize(n);
+    v.resize(n);
     mass_.resize(n);
-    const auto points = static_cast<float>(k());
+    directions.resize(n * k());
+    radius.resize(n * k());
+    radius_rate.resize(n * k());
     for (std::uint32_t i = 0; i < n; ++i) {
-        const std::uint32_t section = groom.first_section[wisp] + i;
-        const Slot slot = hair.layout.slot(section);
-        x[i] = hair.state.position.vec(slot);
-        v[i] = hair.state.velocity.vec(slot);
-        u[i] = hair.frames.u.vec(slot);
-        w[i] = hair.frames.v.vec(slot);
-        normal[i] = hair.frames.normal.vec(slot);
+        const Slot here = slot(hair, i);
+        x[i] = hair.state.position.vec(here);
+        v[i] = hair.state.velocity.vec(here);
+        mass_[i] = SectionMass::of(hair, hair.groom.first_section[number] + i);
         for (std::uint32_t line = 0; line < k(); ++line) {
-            r(i, line) = hair.state.radius.at(slot, line);
-            rate(i, line) = hair.state.radius_rate.at(slot, line);
+            directions[i * k() + line] = half_line_direction(hair, here, line);
+            r(i, line) = hair.state.radius.at(here, line);
+            rate(i, line) = hair.state.radius_rate.at(here, line);
         }
-        if (!simulated(i))
-            continue; // inverse masses of zero: kinematic sections do not answer
-        const float skeleton = groom.skeleton_mass[section],
-                    envelope = groom.envelope_mass[section];
-        mass_[i] = {1 / (skeleton + points / 2 * envelope), 1 / (skeleton + points * envelope),
-                    1 / envelope};
     }
 }
 
-Vec3 WispCopy::d(std::uint32_t section, std::uint32_t line) const {
-    return u[section] * lines_[line].cosine + w[section] * lines_[line].sine;
+void WispCopy::store_velocities(const HairView& hair, State& state) const {
+    for (std::uint32_t i = 2; i < sections(); ++i) {
+        const Slot here = slot(hair, i);
+        state.velocity.set(here, v[i]);
+        for (std::uint32_t line = 0; line < k(); ++line)
+            state.radius_rate.at(here, line) = rate(i, line);
+    }
+}
+
+void WispCopy::store_place(const HairView& hair, std::uint32_t section, State& state) const {
+    const Slot here = slot(hair, section);
+    state.position.set(here, x[section]);
+    for (std::uint32_t line = 0; line < k(); ++line)
+        state.radius.at(here, line) = r(section, line);
 }
 
 float WispCopy::largest_radius(std::uint32_t section) const {
@@ -86,11 +93,6 @@ Vec3 WispCopy::velocity(const WispPoint& p) const {
            (v[p.section + 1] + offset_rate(p.section + 1, p)) * p.along;
 }
 
-Vec3 WispCopy::inverse_T(std::uint32_t s, const Vec3& f) const {
-    const Mass& m = mass_[s];
-    return f * m.across + normal[s] * ((m.along - m.across) * dot(normal[s], f));
-}
-
 float WispCopy::inverse_mass(const WispPoint& p, const Vec3& e) const {
     float sum = 0;
     const Shares share = shares(p);
@@ -106,7 +108,8 @@ float WispCopy::inverse_mass(const WispPoint& p, const Vec3& e) const {
             rest = e - d0 * e0 - d1 * e1;
             envelope = (e0 * e0 + e1 * e1) * mass_[s].envelope;
         }
-        sum += share.weight[j] * share.weight[j] * (dot(rest, inverse_T(s, rest)) + envelope);
+        sum += share.weight[j] * share.weight[j] *
+               (dot(rest, mass_[s].skeleton_response(rest)) + envelope);
     }
     return sum;
 }
@@ -130,7 +133,7 @@ void WispCopy::push(const WispPoint& p, const Vec3& impulse) {
             rate(s, l1) += q1 * mass_[s].envelope;
             rest = rest - d0 * q0 - d1 * q1;
         }
-        const Vec3 change = inverse_T(s, rest);
+        const Vec3 change = mass_[s].skeleton_response(rest);
         v[s] += change;
         for (std::uint32_t line = 0; line < k(); ++line)
             rate(s, line) -= dot(d(s, line), change);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "interactions/impulse.h"
 #include "mane/vec.h"
 #include "model/state.h"
 
@@ -29,10 +30,12 @@ struct WispPoint {
 /// One wisp, unpacked: what the answers to a body read and write. Indices are sections from x₀.
 class WispCopy {
   public:
-    explicit WispCopy(std::uint32_t envelope_points);
-
-    /// Reads wisp `w` of `hair`: positions, frames, radii, velocities.
-    void load(const HairView& hair, std::uint32_t w);
+    /// Reads wisp `number` of `hair`: positions, frames, radii, velocities, masses.
+    void load(const HairView& hair, std::uint32_t number);
+    /// Writes the simulated sections' velocities and rates back.
+    void store_velocities(const HairView& hair, State& state) const;
+    /// Writes a section's position and radii back.
+    void store_place(const HairView& hair, std::uint32_t section, State& state) const;
 
     std::uint32_t sections() const { return static_cast<std::uint32_t>(x.size()); }
     std::uint32_t k() const { return static_cast<std::uint32_t>(lines_.size()); }
@@ -49,7 +52,9 @@ class WispCopy {
         return radius_rate[section * k() + line];
     }
     /// Half line `line` of a section.
-    Vec3 d(std::uint32_t section, std::uint32_t line) const;
+    const Vec3& d(std::uint32_t section, std::uint32_t line) const {
+        return directions[section * k() + line];
+    }
     std::uint32_t next(std::uint32_t line) const { return line + 1 == k() ? 0 : line + 1; }
     float largest_radius(std::uint32_t section) const;
 
@@ -63,21 +68,18 @@ class WispCopy {
     /// sections.
     void push(const WispPoint& p, const Vec3& j);
 
-    std::vector<Vec3> x, v, u, w, normal; ///< position, velocity, first and second axis, normal
-    std::vector<float> radius, radius_rate;
+    std::vector<Vec3> x, v;                 ///< position and velocity per section
+    std::vector<float> radius, radius_rate; ///< K per section
+    std::vector<Vec3> directions;           ///< K half lines per section
 
   private:
-    struct Mass {
-        float across = 0;   ///< [1/kg] inverse of T in the section's plane
-        float along = 0;    ///< [1/kg] inverse of T along its normal
-        float envelope = 0; ///< [1/kg] inverse of an envelope point's mass
-    };
-    Vec3 inverse_T(std::uint32_t section, const Vec3& f) const;
+    Slot slot(const HairView& hair, std::uint32_t section) const;
     Vec3 offset(std::uint32_t section, const WispPoint& p) const;
     Vec3 offset_rate(std::uint32_t section, const WispPoint& p) const;
 
-    std::vector<HalfLine> lines_;
-    std::vector<Mass> mass_;
+    std::uint32_t number_ = 0;
+    std::span<const HalfLine> lines_;
+    std::vector<SectionMass> mass_;
 };
 
 /// The point of a section's contact surface farthest along `g` in a plane through it: where a flat

@@ -149,27 +149,14 @@ class Responder {
     std::vector<Plane> planes_;
 };
 
-void add_changes(const HairView& hair, std::uint32_t w, const WispCopy& wisp,
-                 VelocityChanges& changes) {
-    for (std::uint32_t i = 2; i < wisp.sections(); ++i) {
-        const Slot slot = hair.layout.slot(hair.groom.first_section[w] + i);
-        const Vec3 change = wisp.v[i] - hair.state.velocity.vec(slot);
-        changes.velocity.set(slot, changes.velocity.vec(slot) + change);
-        for (std::uint32_t line = 0; line < wisp.k(); ++line)
-            changes.radius_rate.at(slot, line) +=
-                wisp.rate(i, line) - hair.state.radius_rate.at(slot, line);
-    }
-}
-
 } // namespace
 
 void CharacterContacts::respond(const HairView& hair, const CharacterContactDesc& desc,
-                                float fraction, float dt, VelocityChanges& changes,
-                                Threads& threads) const {
+                                float fraction, float dt, State& state, Threads& threads) const {
     const std::size_t wisps = contacts_.size();
     const auto loss = static_cast<float>(1 - exponential(-double(desc.friction) * double(dt)));
     threads.run((wisps + kWispsPerChunk - 1) / kWispsPerChunk, [&](std::size_t chunk) {
-        WispCopy wisp(hair.groom.envelope_points);
+        WispCopy wisp;
         const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
         for (std::size_t i = chunk * kWispsPerChunk; i < end; ++i) {
             if (contacts_[i].empty())
@@ -179,7 +166,7 @@ void CharacterContacts::respond(const HairView& hair, const CharacterContactDesc
             Responder responder(wisp, contacts_[i], fraction, static_cast<float>(duration_), dt);
             responder.drag(loss);
             responder.stop_approach();
-            add_changes(hair, w, wisp, changes);
+            wisp.store_velocities(hair, state);
         }
     });
 }

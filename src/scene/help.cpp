@@ -86,29 +86,28 @@ void add_field(std::string& out, const FieldInfo& f) {
     wrap(out, f.help, 6);
 }
 
-template <typename Root>
-std::string help_of(std::span<const FieldOf<Root>> fields, std::string_view section) {
-    std::string out;
-    for (const FieldOf<Root>& f : fields)
-        if (f.section == section)
-            add_field(out, f);
-    return out;
+std::string title(std::string_view section) {
+    const std::string name(section);
+    return section.starts_with("obstacle") ? "[[" + name + "]]" : "[" + name + "]";
 }
 
 } // namespace
 
 std::string section_help(std::string_view section) {
-    const std::string fields = help_of(scene_fields(), section);
-    return fields.empty() ? fields : "\n[" + std::string(section) + "]\n" + fields;
+    std::string out;
+    for (const FieldInfo* f : all_fields())
+        if (f->section == section)
+            add_field(out, *f);
+    return out.empty() ? out : "\n" + title(section) + "\n" + out;
 }
 
 std::string scene_help() {
     std::string out = kIntroduction;
     std::string_view section;
-    for (const Field& f : scene_fields()) {
-        if (f.section == section)
+    for (const FieldInfo* f : all_fields()) {
+        if (f->section == section)
             continue;
-        section = f.section;
+        section = f->section;
         out += section_help(section);
     }
     return out;

@@ -89,6 +89,7 @@ struct Reader {
         return static_cast<std::uint32_t>(x);
     }
     Value operator()(float) const { return static_cast<float>(real(literal)); }
+    Value operator()(double) const { return real(literal); }
     Value operator()(const Ramp&) const {
         if (!std::holds_alternative<std::vector<Literal>>(literal.value))
             return Ramp(static_cast<float>(real(literal)));
@@ -135,6 +136,7 @@ std::string expectation(const FieldInfo& field) {
         std::string operator()(bool) const { return "true or false"; }
         std::string operator()(std::uint32_t) const { return "a whole number" + limits(field); }
         std::string operator()(float) const { return "a number" + limits(field); }
+        std::string operator()(double) const { return "a number" + limits(field); }
         std::string operator()(const Ramp&) const {
             return "a number or [root, tip]" + limits(field);
         }

@@ -2,21 +2,22 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace mane {
 namespace {
 
-// Levenshtein's distance, row by row.
+// Levenshtein's distance, with two letters swapped as one edit: the commonest slip.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
+    std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
+        before = std::exchange(last, row);
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] != b[j - 1]);
-            diagonal = row[j];
-            row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+            row[j] = std::min({last[j - 1] + (a[i - 1] != b[j - 1]), last[j] + 1, row[j - 1] + 1});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
         }
     }
     return row.back();
@@ -36,16 +37,16 @@ std::string nearest_name(std::string_view name, std::span<const std::string> nam
 
 std::string suggestion(std::string_view section, std::string_view name) {
     // The right name in another section is as good a guess as one wrong letter in this one.
-    const auto distance = [&](const Field& f) {
-        return 2 * edit_distance(name, f.name) + (f.section != section);
+    const auto distance = [&](const FieldInfo* f) {
+        return 2 * edit_distance(name, f->name) + (f->section != section);
     };
-    const auto best = std::ranges::min_element(scene_fields(), {}, distance);
-    if (similar(edit_distance(name, best->name), name))
-        return " (did you mean " + best->key() + "?)";
+    const FieldInfo& best = **std::ranges::min_element(all_fields(), {}, distance);
+    if (similar(edit_distance(name, best.name), name))
+        return " (did you mean " + best.key() + "?)";
     std::string known;
-    for (const Field& f : scene_fields())
-        if (f.section == section)
-            known += (known.empty() ? "" : ", ") + std::string(f.name);
+    for (const FieldInfo* f : all_fields())
+        if (f->section == section)
+            known += (known.empty() ? "" : ", ") + std::string(f->name);
     return " (known: " + known + ")";
 }
 

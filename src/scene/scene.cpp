@@ -72,6 +72,7 @@ void check_scene(const SceneDesc& scene, const std::string& where) {
            "schedule.integration_rate");
     expect(s.schedule.character_rate <= s.schedule.integration_rate, "schedule.character_rate",
            "schedule.integration_rate");
+    expect(scene.motion.drive.first <= scene.motion.drive.last, "motion.first", "motion.last");
     expect(s.schedule.wisp_rate <= s.schedule.integration_rate, "schedule.wisp_rate",
            "schedule.integration_rate");
 }

@@ -20,8 +20,6 @@ template <auto... Path, typename Root> constexpr auto& reach(Root& root) {
 template <typename T> Value to_value(const T& member) {
     if constexpr (std::is_enum_v<T>)
         return std::string(kChoices<T>[static_cast<std::size_t>(member)]);
-    else if constexpr (std::is_same_v<T, double>)
-        return static_cast<float>(member);
     else
         return member;
 }
@@ -31,8 +29,6 @@ template <typename T> void from_value(T& member, const Value& value) {
         for (std::size_t i = 0; i < kChoices<T>.size(); ++i)
             if (std::get<std::string>(value) == kChoices<T>[i])
                 member = static_cast<T>(i);
-    } else if constexpr (std::is_same_v<T, double>) {
-        member = static_cast<double>(std::get<float>(value));
     } else {
         member = std::get<T>(value);
     }

@@ -36,8 +36,8 @@ template <typename T> void fill(std::vector<T>& values, std::size_t count, Gener
     }
 }
 
-CacheSetup random_setup(std::uint32_t wisps, std::uint32_t sections, Generator& random) {
-    CacheSetup setup;
+RunSetup random_setup(std::uint32_t wisps, std::uint32_t sections, Generator& random) {
+    RunSetup setup;
     setup.scene = "[skeleton]\nstrain = 0.005 # ε\n";
     Groom& g = setup.groom;
     for (std::uint32_t w = 0; w <= wisps; ++w)
@@ -114,7 +114,7 @@ void write_bytes(const fs::path& file, std::string_view bytes) {
 }
 
 /// A finished cache of `frames` frames, which are returned.
-std::vector<Frame> write_cache(const fs::path& file, const CacheSetup& setup, std::uint32_t frames,
+std::vector<Frame> write_cache(const fs::path& file, const RunSetup& setup, std::uint32_t frames,
                                Generator& random) {
     std::vector<Frame> written;
     CacheWriter writer(file, setup);
@@ -140,7 +140,7 @@ template <typename Call> std::string failure(const Call& call) {
 TEST_CASE("a cache gives back every bit, frames in any order") {
     Folder folder;
     Generator random(1);
-    const CacheSetup setup = random_setup(7, 9, random);
+    const RunSetup setup = random_setup(7, 9, random);
     const std::vector<Frame> frames = write_cache(folder / "a.mane", setup, 5, random);
     CHECK_FALSE(fs::exists(folder / "a.mane.part"));
 
@@ -182,7 +182,7 @@ TEST_CASE("every member of the groom is stored") {
     // shorter.
     Folder folder;
     Generator random(2);
-    const CacheSetup setup = random_setup(3, 4, random);
+    const RunSetup setup = random_setup(3, 4, random);
     CacheWriter(folder / "a.mane", setup).finish();
     CacheWriter(folder / "b.mane", CacheReader(folder / "a.mane").setup()).finish();
     CHECK(bytes_of(folder / "a.mane") == bytes_of(folder / "b.mane"));
@@ -197,7 +197,7 @@ TEST_CASE("every member of the groom is stored") {
 TEST_CASE("vertices of bodies come from their poses, relative to the frame's origin") {
     Folder folder;
     Generator random(3);
-    const CacheSetup setup = random_setup(2, 4, random);
+    const RunSetup setup = random_setup(2, 4, random);
     const std::vector<Frame> frames = write_cache(folder / "a.mane", setup, 3, random);
     const CacheReader reader(folder / "a.mane");
     const std::vector<Vec3> vertices = reader.body_vertices(2, 0);
@@ -218,7 +218,7 @@ TEST_CASE(
     "cut anywhere, a cache gives all frames that were finished, and says that it is not whole") {
     Folder folder;
     Generator random(4);
-    const CacheSetup setup = random_setup(2, 4, random);
+    const RunSetup setup = random_setup(2, 4, random);
     const std::vector<Frame> frames = write_cache(folder / "whole.mane", setup, 4, random);
     const std::string bytes = bytes_of(folder / "whole.mane");
     std::vector<std::uint64_t> ends;
@@ -259,7 +259,7 @@ TEST_CASE(
 TEST_CASE("every flipped byte is found") {
     Folder folder;
     Generator random(5);
-    const CacheSetup setup = random_setup(2, 4, random);
+    const RunSetup setup = random_setup(2, 4, random);
     write_cache(folder / "whole.mane", setup, 2, random);
     const std::string bytes = bytes_of(folder / "whole.mane");
     std::size_t undetected = 0;
@@ -281,7 +281,7 @@ TEST_CASE("every flipped byte is found") {
 TEST_CASE("a damaged frame is named with its place, the others stay readable") {
     Folder folder;
     Generator random(6);
-    const CacheSetup setup = random_setup(2, 4, random);
+    const RunSetup setup = random_setup(2, 4, random);
     const std::vector<Frame> frames = write_cache(folder / "a.mane", setup, 3, random);
     std::uint64_t offset = 0;
     const CacheReader a(folder / "a.mane");
@@ -319,7 +319,7 @@ TEST_CASE("other files and other versions are refused") {
 TEST_CASE("tables are kept under their type; readers that do not know it pass them by") {
     Folder folder;
     Generator random(8);
-    const CacheSetup setup = random_setup(2, 4, random);
+    const RunSetup setup = random_setup(2, 4, random);
     std::vector<Frame> frames;
     {
         CacheWriter writer(folder / "a.mane", setup);
@@ -348,7 +348,7 @@ TEST_CASE("tables are kept under their type; readers that do not know it pass th
 TEST_CASE("a run that is not finished leaves its frames in FILE.part and the old file alone") {
     Folder folder;
     Generator random(9);
-    const CacheSetup setup = random_setup(2, 4, random);
+    const RunSetup setup = random_setup(2, 4, random);
     write_cache(folder / "a.mane", setup, 1, random);
     const std::string before = bytes_of(folder / "a.mane");
     {
@@ -367,7 +367,7 @@ TEST_CASE("a run that is not finished leaves its frames in FILE.part and the old
 TEST_CASE("a full disk and a folder that is not there are said at once") {
     Folder folder;
     Generator random(10);
-    const CacheSetup setup = random_setup(2, 4, random);
+    const RunSetup setup = random_setup(2, 4, random);
     CHECK(failure([&] {
               CacheWriter writer(folder / "no/where.mane", setup);
           }).find("cannot be written: No such file or directory") != std::string::npos);
@@ -383,7 +383,7 @@ TEST_CASE("a full disk and a folder that is not there are said at once") {
 TEST_CASE("frames that do not fit are refused") {
     Folder folder;
     Generator random(11);
-    const CacheSetup setup = random_setup(2, 4, random);
+    const RunSetup setup = random_setup(2, 4, random);
     CacheWriter writer(folder / "a.mane", setup);
     Frame frame = random_frame(0, setup.groom, random);
     CHECK(failure([&] { writer.add(frame, {}); }).find("does not fit") != std::string::npos);
@@ -395,7 +395,7 @@ TEST_CASE("frames that do not fit are refused") {
 TEST_CASE("264 frames of 56 wisps of 9 sections in smooth motion take less than their raw size") {
     Folder folder;
     Generator random(12);
-    const CacheSetup setup = random_setup(56, 9, random);
+    const RunSetup setup = random_setup(56, 9, random);
     const Frame rest = random_frame(0, setup.groom, random);
     {
         CacheWriter writer(folder / "a.mane", setup);

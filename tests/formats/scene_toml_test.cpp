@@ -48,11 +48,11 @@ mode = "isotropic"
 [schedule]
 hold_contacts = false
 )");
-    CHECK(scene.skeleton.strain == 0.01f);
-    CHECK(scene.skeleton.bending_length == 0.05f);
-    CHECK(scene.skeleton.bending_damping == SkeletonDesc{}.bending_damping);
-    CHECK(scene.envelope.stiffness == Ramp(2, 0.5f));
-    CHECK(scene.envelope.points == 6);
+    CHECK(scene.hair.skeleton.strain == 0.01f);
+    CHECK(scene.hair.skeleton.bending_length == 0.05f);
+    CHECK(scene.hair.skeleton.bending_damping == SkeletonDesc{}.bending_damping);
+    CHECK(scene.hair.envelope.stiffness == Ramp(2, 0.5f));
+    CHECK(scene.hair.envelope.points == 6);
     CHECK(scene.simulation.air.wind == Vec3(1, 0, -2.5f));
     CHECK(scene.simulation.wisps.mode == WispContactMode::isotropic);
     CHECK_FALSE(scene.simulation.schedule.hold_contacts);
@@ -81,8 +81,8 @@ TEST_CASE("overrides name wisps and fields that may differ between them") {
     const SceneDesc scene = parse(
         "[[override]]\nwisps = [3, 4]\nskeleton.strain = 0.01\nenvelope.stiffness = [1, 1]\n");
     REQUIRE(scene.overrides.size() == 1);
-    CHECK(scene_of_wisp(scene, 4).skeleton.strain == 0.01f);
-    CHECK(scene_of_wisp(scene, 5).skeleton.strain == SkeletonDesc{}.strain);
+    CHECK(scene_of_wisp(scene, 4).hair.skeleton.strain == 0.01f);
+    CHECK(scene_of_wisp(scene, 5).hair.skeleton.strain == SkeletonDesc{}.strain);
     CHECK(failure("[[override]]\nskeleton.strain = 0.01")
               .starts_with("hair.toml:1: [[override]] without wisps"));
     CHECK(failure("[[override]]\nwisps = [-1]").starts_with("hair.toml:2: override.wisps"));
@@ -99,8 +99,8 @@ TEST_CASE("settings take a value as in a scene file, or bare") {
     apply_setting(scene, "wisps.mode=off");
     apply_setting(scene, "air.wind=[1, 0, 0]");
     apply_setting(scene, "schedule.hold_contacts=false");
-    CHECK(scene.skeleton.strain == 0.02f);
-    CHECK(scene.skeleton.bending_length == 0.06f);
+    CHECK(scene.hair.skeleton.strain == 0.02f);
+    CHECK(scene.hair.skeleton.bending_length == 0.06f);
     CHECK(scene.simulation.wisps.mode == WispContactMode::off);
     CHECK(scene.simulation.air.wind == Vec3(1, 0, 0));
     CHECK_FALSE(scene.simulation.schedule.hold_contacts);
@@ -118,11 +118,11 @@ TEST_CASE("settings take a value as in a scene file, or bare") {
 
 TEST_CASE("a scene that is written and read again is the same") {
     SceneDesc scene = parse("[[override]]\nwisps = [3, 4]\nskeleton.strain = 0.0123\n");
-    scene.skeleton.strain = 0.1f / 3;
-    scene.envelope.stiffness = {1.0f / 7, 3};
+    scene.hair.skeleton.strain = 0.1f / 3;
+    scene.hair.envelope.stiffness = {1.0f / 7, 3};
     scene.simulation.gravity = {1e-6f, -9.81f, 0};
     const SceneDesc again = parse(write_scene(scene));
-    for (const Field& f : scene_fields()) {
+    for (const Field& f : fields_of<SceneDesc>()) {
         CAPTURE(f.key());
         CHECK(f.get(again) == f.get(scene));
     }
@@ -134,7 +134,7 @@ TEST_CASE("a scene that is written and read again is the same") {
 
 TEST_CASE("the schema describes every field") {
     const auto schema = nlohmann::json::parse(scene_schema());
-    for (const Field& f : scene_fields()) {
+    for (const Field& f : fields_of<SceneDesc>()) {
         CAPTURE(f.key());
         const auto& field = schema.at("properties")
                                 .at(std::string(f.section))
@@ -149,4 +149,50 @@ TEST_CASE("the schema describes every field") {
         schema["properties"]["override"]["items"]["properties"]["skeleton"]["properties"].contains(
             "strain"));
     CHECK_FALSE(schema["properties"]["override"]["items"]["properties"].contains("schedule"));
+}
+
+TEST_CASE("obstacles have a shape and keys; files are found from the scene's folder") {
+    const SceneDesc scene = parse(R"(
+[character]
+mesh = "heads/one.obj"
+unit = 0.01
+[motion]
+clip = "/clips/walk.bvh"
+unit = 0.0564444
+last = 1617
+[[obstacle]]
+name = "hand"
+shape = "sphere"
+size = [0.1, 0.2, 0.1]
+[[obstacle.key]]
+time = 1
+position = [0, 1.5, "20 cm"]
+rotation = [0, 90, 0]
+[[obstacle.key]]
+time = 2
+[[obstacle]]
+worn = true
+)");
+    CHECK(scene.character.mesh == "scenes/heads/one.obj");
+    CHECK(scene.motion.clip == "/clips/walk.bvh");
+    CHECK(scene.motion.drive.unit == 0.0564444); // all digits of a double
+    CHECK(scene.motion.drive.last == 1617);
+    REQUIRE(scene.obstacles.size() == 2);
+    CHECK(scene.obstacles[0].name == "hand");
+    CHECK(scene.obstacles[0].shape == ObstacleShape::sphere);
+    REQUIRE(scene.obstacles[0].keys.size() == 2);
+    CHECK(scene.obstacles[0].keys[0].position == Vec3(0, 1.5f, 0.2f));
+    CHECK(scene.obstacles[1].worn);
+
+    const std::string written = write_scene(scene);
+    CHECK(write_scene(parse_scene(written, "again", "")) == written);
+
+    CHECK(failure("[[obstacle]]\nsise = 3") ==
+          "hair.toml:2: unknown key obstacle.sise (did you mean obstacle.size?)");
+    CHECK(failure("[[obstacle]]\n[[obstacle.key]]\nplace = 3")
+              .starts_with("hair.toml:3: unknown key obstacle.key.place"));
+    CHECK(failure("[obstacle]\nworn = true") ==
+          "hair.toml:1: expected [[obstacle]] with two brackets");
+    CHECK(
+        failure("[motion]\nfirst = 9\nlast = 3").starts_with("hair.toml: found motion.first = 9"));
 }

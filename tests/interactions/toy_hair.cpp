@@ -20,7 +20,17 @@ ToyHair::ToyHair(const std::vector<std::vector<Vec3>>& wisps, std::uint32_t k, f
     const float share = radius > 0 ? 0.2f : 1e-6f;
     groom.skeleton_mass.assign(sections, 1e-4f * (1 - share));
     groom.envelope_mass.assign(sections, 1e-4f * share / float(k));
+    for (auto* per_section : {&groom.stretch_stiffness, &groom.stretch_damping, &groom.rest_length,
+                              &groom.bend_stiffness, &groom.bend_damping, &groom.rest_curvature_u,
+                              &groom.rest_curvature_v, &groom.radial_stiffness,
+                              &groom.radial_damping, &groom.ring_stiffness, &groom.ring_damping})
+        per_section->assign(sections, 1);
+    for (auto* per_point : {&groom.rest_radius, &groom.ring_length})
+        per_point->assign(sections * k, 1);
+    groom.thickness_power.assign(wisps.size(), 2);
     layout = std::make_unique<Layout>(groom);
+    rest = RestRows(groom, *layout);
+    lines = half_lines(k);
     state = State(layout->rows(), k);
     frames = SectionFrames(layout->rows());
     for (std::uint32_t s = 0; s < sections; ++s) {
@@ -59,7 +69,6 @@ void ToyHair::find_frames() {
 }
 
 double ToyHair::energy(const Vec3& frame) const {
-    const auto lines = half_lines(groom.envelope_points);
     double sum = 0;
     for (std::uint32_t w = 0; w < groom.wisp_count(); ++w) {
         for (std::uint32_t i = 2; i < groom.sections(w); ++i) {
@@ -125,20 +134,12 @@ void ToyRun::step(float fraction) {
             hair.state.radius_rate.at(slot, line) *= 1 - air * dt;
     }
     spring_forces();
-    const std::size_t rows = hair.layout->rows();
-    VelocityChanges changes{Rows(rows, 3), Rows(rows, hair.groom.envelope_points)};
-    contacts.respond(hair.view(), desc, fraction, dt, changes, threads);
-    const auto add = [](Rows& to, const Rows& from) {
-        for (std::size_t i = 0; i < to.all().size(); ++i)
-            to.all()[i] += from.all()[i];
-    };
-    add(hair.state.velocity, changes.velocity);
-    add(hair.state.radius_rate, changes.radius_rate);
+    contacts.respond(hair.view(), desc, fraction, dt, hair.state, threads);
     move();
 }
 
 void ToyRun::spring_forces() {
-    WispCopy wisp(hair.groom.envelope_points);
+    WispCopy wisp;
     for (std::uint32_t w = 0; w < hair.groom.wisp_count(); ++w) {
         wisp.load(hair.view(), w);
         for (std::uint32_t i = 1; stretch > 0 && i + 1 < wisp.sections(); ++i) {
@@ -160,11 +161,7 @@ void ToyRun::spring_forces() {
                 wisp.push({i, 0, 0, 0, 0}, wisp.d(i, line) * (-force * dt));
             }
         }
-        for (std::uint32_t i = 2; i < wisp.sections(); ++i) {
-            hair.state.velocity.set(hair.slot(w, i), wisp.v[i]);
-            for (std::uint32_t line = 0; line < wisp.k(); ++line)
-                hair.state.radius_rate.at(hair.slot(w, i), line) = wisp.rate(i, line);
-        }
+        wisp.store_velocities(hair.view(), hair.state);
     }
 }
 
@@ -182,10 +179,7 @@ void ToyRun::move() {
 }
 
 void ToyRun::react() {
-    Rows position = hair.state.position, radius = hair.state.radius;
-    reactions += contacts.react(hair.view(), bodies(), desc, {position, radius}, threads);
-    hair.state.position = position;
-    hair.state.radius = radius;
+    reactions += contacts.react(hair.view(), bodies(), desc, hair.state, threads);
     hair.find_frames();
 }
 

@@ -16,6 +16,8 @@ namespace mane::test {
 struct ToyHair {
     Groom groom;
     std::unique_ptr<Layout> layout;
+    RestRows rest;
+    std::vector<HalfLine> lines;
     State state;
     SectionFrames frames;
     float turn = 0; ///< [rad] of the first axis about each wisp
@@ -26,7 +28,7 @@ struct ToyHair {
     /// A straight wisp of `sections` points from `first`, each `step` from the one before.
     static std::vector<Vec3> straight(const Vec3& first, const Vec3& step, int sections);
 
-    HairView view() const { return {groom, *layout, state, frames}; }
+    HairView view() const { return {groom, *layout, rest, state, frames, lines}; }
     Slot slot(std::uint32_t wisp, std::uint32_t section) const {
         return layout->slot(groom.first_section[wisp] + section);
     }

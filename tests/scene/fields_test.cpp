@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -17,66 +18,82 @@ struct Declared {
     std::string structure, name, unit;
 };
 
-/// Reads `type name = default; ///< [unit] …` in every `struct …Desc` of a header. The slow and
-/// plain way on purpose: the compiler sees neither units nor members that the table forgot.
-std::vector<Declared> declared_fields(const std::string& header) {
+/// A header without the comments that stand alone, so that what is left reads
+/// `type name = default; ///< [unit] …`.
+std::string read_header(const std::string& header) {
     std::ifstream in(std::string(MANE_SOURCE_DIR) + "/include/mane/" + header);
     REQUIRE(in);
-    const std::regex structure(R"(^struct (\w+Desc) \{)"),
-        member(R"(^    [\w:]+ (\w+)( = .*)?;\s*(///< (\[([^\]]*)\])?.*)?$)");
+    const std::regex comment(R"(^\s*(///([^<]|$)|//[^/]))");
+    std::string text, line;
+    while (std::getline(in, line))
+        if (!std::regex_search(line, comment))
+            text += line + "\n";
+    return text;
+}
+
+/// Reads the members of every `struct …Desc` of a header. The plain way on purpose: the compiler
+/// sees neither units nor members that the table forgot.
+std::vector<Declared> declared_fields(const std::string& header) {
+    const std::string text = read_header(header);
+    const std::regex structure(R"(struct (\w+Desc) \{([^]*?)\n\};)");
+    const std::regex member(
+        R"(\n    ([\w:<>]+)\s+(\w+)(\s*=\s*[^;]*)?;([ \n]*///< *(\[([^\]]*)\])?)?)");
     std::vector<Declared> result;
-    std::string line, current;
-    std::smatch match;
-    while (std::getline(in, line)) {
-        if (std::regex_search(line, match, structure))
-            current = match[1];
-        else if (line == "};")
-            current.clear();
-        else if (!current.empty() && std::regex_match(line, match, member))
-            result.push_back({current, match[1], match[5]});
+    const std::sregex_iterator end;
+    for (std::sregex_iterator s(text.begin(), text.end(), structure); s != end; ++s) {
+        const std::string body = (*s)[2];
+        for (std::sregex_iterator m(body.begin(), body.end(), member); m != end; ++m)
+            if (!std::regex_search((*m)[1].str(),
+                                   std::regex("Desc|vector"))) // sections of their own
+                result.push_back({(*s)[1], (*m)[2], (*m)[6]});
     }
     return result;
 }
 
-/// The section of each struct of desc.h. SimulationDesc's own structs are sections of their own.
-const std::map<std::string, std::string> kSections = {
-    {"SkeletonDesc", "skeleton"},
-    {"EnvelopeDesc", "envelope"},
-    {"AirDesc", "air"},
-    {"WispContactDesc", "wisps"},
-    {"StrandDesc", "strands"},
-    {"CharacterContactDesc", "character"},
-    {"SimulationDesc", "simulation"},
-    {"ScheduleDesc", "schedule"},
+struct Place {
+    std::string header, section;
+};
+/// Where the members of each struct stand in a scene file.
+const std::map<std::string, Place> kPlaces = {
+    {"SimulationDesc", {"desc.h", "simulation"}}, {"ScheduleDesc", {"desc.h", "schedule"}},
+    {"SkeletonDesc", {"desc.h", "skeleton"}},     {"EnvelopeDesc", {"desc.h", "envelope"}},
+    {"StrandDesc", {"desc.h", "strands"}},        {"AirDesc", {"desc.h", "air"}},
+    {"WispContactDesc", {"desc.h", "wisps"}},     {"CharacterContactDesc", {"desc.h", "character"}},
+    {"StyleDesc", {"style.h", "style"}},          {"CharacterDesc", {"scene.h", "character"}},
+    {"MotionDesc", {"scene.h", "motion"}},        {"ClipMotionDesc", {"character.h", "motion"}},
+    {"ObstacleDesc", {"scene.h", "obstacle"}},    {"ObstacleKeyDesc", {"scene.h", "obstacle.key"}},
 };
 
 } // namespace
 
-TEST_CASE("every parameter of desc.h is in the table, with the unit of its comment, and every "
-          "section is a struct's") {
+TEST_CASE("every parameter is in the table, with the unit of its comment, and nothing else is") {
     std::set<std::string> found;
-    for (const Declared& d : declared_fields("desc.h")) {
-        CAPTURE(d.structure);
-        CAPTURE(d.name);
-        REQUIRE(kSections.contains(d.structure));
-        if (d.structure == "SimulationDesc" && d.unit.empty())
-            continue; // a struct with a section of its own
-        const Field* field = find_field(kSections.at(d.structure), d.name);
-        REQUIRE(field);
-        CHECK(field->unit == d.unit);
-        found.insert(field->key());
-    }
-    CHECK(found.size() >= 46);
-    for (const Field& f : scene_fields()) {
-        CAPTURE(f.key());
-        CHECK(found.contains(f.key()));
+    for (const char* header : {"desc.h", "style.h", "character.h", "scene.h"})
+        for (const Declared& d : declared_fields(header)) {
+            CAPTURE(d.structure);
+            CAPTURE(d.name);
+            REQUIRE(kPlaces.contains(d.structure));
+            const Place& place = kPlaces.at(d.structure);
+            CHECK(place.header == header);
+            const auto field = std::ranges::find_if(all_fields(), [&](const FieldInfo* f) {
+                return f->section == place.section && f->name == d.name;
+            });
+            REQUIRE(field != all_fields().end());
+            if (!d.unit.empty() || (*field)->unit != "1")
+                CHECK((*field)->unit == d.unit);
+            found.insert((*field)->key());
+        }
+    for (const FieldInfo* f : all_fields()) {
+        CAPTURE(f->key());
+        CHECK(found.contains(f->key()));
     }
 }
 
 TEST_CASE(
     "keys are unique, help and units are given, numbers have a range that holds their default") {
     std::set<std::string> keys;
-    for (const Field& f : scene_fields()) {
+    for (const FieldInfo* info : all_fields()) {
+        const FieldInfo& f = *info;
         CAPTURE(f.key());
         CHECK(keys.insert(f.key()).second);
         CHECK(f.help.size() > 10);
@@ -93,7 +110,7 @@ TEST_CASE(
 
 TEST_CASE("a field reads and writes its own member and no other") {
     const SceneDesc standard;
-    for (const Field& f : scene_fields()) {
+    for (const Field& f : fields_of<SceneDesc>()) {
         CAPTURE(f.key());
         SceneDesc scene;
         Value other = f.standard;
@@ -103,6 +120,8 @@ TEST_CASE("a field reads and writes its own member and no other") {
             ++*i;
         else if (auto* x = std::get_if<float>(&other))
             *x += 1;
+        else if (auto* d = std::get_if<double>(&other))
+            *d += 1;
         else if (auto* r = std::get_if<Ramp>(&other))
             r->tip += 1;
         else if (auto* v = std::get_if<Vec3>(&other))
@@ -113,7 +132,7 @@ TEST_CASE("a field reads and writes its own member and no other") {
         else
             other = std::string("x");
         f.set(scene, other);
-        for (const Field& g : scene_fields())
+        for (const Field& g : fields_of<SceneDesc>())
             CHECK((g.get(scene) == g.get(standard)) == (g.key() != f.key()));
         CHECK(f.get(scene) == other);
     }
@@ -130,8 +149,8 @@ TEST_CASE("defaults are those of the structs") {
 
 TEST_CASE("help names every field with its default and unit, in lines of at most 100 columns") {
     const std::string help = scene_help();
-    for (const Field& f : scene_fields())
-        CHECK(help.find("\n  " + std::string(f.name) + " ") != std::string::npos);
+    for (const FieldInfo* f : all_fields())
+        CHECK(help.find("\n  " + std::string(f->name) + " ") != std::string::npos);
     CHECK(help.find("strain                0.005               [1]") != std::string::npos);
     std::size_t columns = 0;
     for (const char c : help) {

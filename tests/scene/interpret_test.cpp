@@ -76,6 +76,8 @@ TEST_CASE("a value that cannot be says where, what was found and what was expect
 
 TEST_CASE("the nearest known name is suggested, also from another section") {
     CHECK(suggestion("skeleton", "strian") == " (did you mean skeleton.strain?)");
+    CHECK(suggestion("air", "darg") == " (did you mean air.drag?)");
+    CHECK(suggestion("obstacle", "sise") == " (did you mean obstacle.size?)");
     CHECK(suggestion("skeleton", "bendinglength") == " (did you mean skeleton.bending_length?)");
     CHECK(suggestion("skeleton", "gravity") == " (did you mean simulation.gravity?)");
     CHECK(suggestion("air", "friction").find("friction?)") != std::string::npos);
@@ -109,10 +111,10 @@ TEST_CASE("overrides give their wisps other values, the later ones last") {
     SceneDesc scene;
     scene.overrides = {{{1, 2}, {{"skeleton.strain", 0.01f}, {"envelope.squeeze", 0.3f}}},
                        {{2}, {{"skeleton.strain", 0.02f}}}};
-    CHECK(scene_of_wisp(scene, 0).skeleton.strain == scene.skeleton.strain);
-    CHECK(scene_of_wisp(scene, 1).skeleton.strain == 0.01f);
-    CHECK(scene_of_wisp(scene, 2).skeleton.strain == 0.02f);
-    CHECK(scene_of_wisp(scene, 2).envelope.squeeze == 0.3f);
+    CHECK(scene_of_wisp(scene, 0).hair.skeleton.strain == scene.hair.skeleton.strain);
+    CHECK(scene_of_wisp(scene, 1).hair.skeleton.strain == 0.01f);
+    CHECK(scene_of_wisp(scene, 2).hair.skeleton.strain == 0.02f);
+    CHECK(scene_of_wisp(scene, 2).hair.envelope.squeeze == 0.3f);
 }
 
 TEST_CASE("conditions between fields are checked") {

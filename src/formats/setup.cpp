@@ -1,0 +1,119 @@
+#include "mane/setup.h"
+
+#include "mane/error.h"
+#include "mane/import.h"
+#include "mane/scene.h"
+
+namespace mane {
+namespace {
+
+/// One bone that follows a bone of another motion: a hat on its head.
+class Follower : public Motion {
+  public:
+    Follower(std::shared_ptr<const Motion> leader, std::uint32_t bone)
+        : leader_(std::move(leader)), bone_(bone) {}
+    std::size_t bone_count() const override { return 1; }
+    void evaluate(double time, std::span<BonePose> bones) const override {
+        std::vector<BonePose> all(leader_->bone_count());
+        leader_->evaluate(time, all);
+        bones[0] = all[bone_];
+    }
+
+  private:
+    std::shared_ptr<const Motion> leader_;
+    std::uint32_t bone_;
+};
+
+std::shared_ptr<const Motion> make_motion(const MotionDesc& desc) {
+    if (desc.still)
+        return nullptr;
+    std::shared_ptr<const Motion> motion =
+        desc.clip.empty() ? builtin_motion() : clip_motion(read_bvh(desc.clip), desc.drive);
+    return desc.freeze > 0 ? frozen_motion(std::move(motion), desc.freeze) : motion;
+}
+
+/// A mesh of the user's follows the head as one piece.
+Body read_wearer(const CharacterDesc& desc) {
+    Body body;
+    body.name = desc.mesh;
+    body.mesh = read_obj(desc.mesh, desc.unit);
+    for (Vec3& v : body.mesh.vertices)
+        v += desc.offset;
+    body.skin.bones.assign(body.mesh.vertices.size(), {kHeadBone, 0, 0, 0});
+    body.skin.weights.assign(body.mesh.vertices.size(), {1, 0, 0, 0});
+    body.head_bone = kHeadBone;
+    return body;
+}
+
+std::vector<std::uint32_t> find_scalp(const CharacterDesc& desc, const Body& wearer) {
+    if (desc.scalp_radius == 0) {
+        if (desc.mesh.empty())
+            return bust_scalp(wearer);
+        throw InputError(
+            desc.mesh +
+            ": a mesh of your own needs character.scalp_centre and character.scalp_radius");
+    }
+    std::vector<std::uint32_t> scalp;
+    for (std::uint32_t t = 0; t < wearer.mesh.triangles.size(); ++t) {
+        const auto& [a, b, c] = wearer.mesh.triangles[t];
+        const auto& v = wearer.mesh.vertices;
+        if (length((v[a] + v[b] + v[c]) / 3.f - desc.scalp_centre) <= desc.scalp_radius)
+            scalp.push_back(t);
+    }
+    if (scalp.empty())
+        throw InputError(
+            "character.scalp_centre and character.scalp_radius hold no triangle of the character");
+    return scalp;
+}
+
+/// The designs of the style, with the wisps' own settings.
+std::vector<WispDesign> lay_hair(const SceneDesc& scene, const Body& wearer) {
+    std::vector<WispDesign> designs =
+        lay_style(scene.hair, wearer, find_scalp(scene.character, wearer), scene.simulation.seed);
+    for (const WispOverride& o : scene.overrides)
+        for (const std::uint32_t wisp : o.wisps) {
+            if (wisp >= designs.size())
+                throw InputError("override.wisps: found wisp " + std::to_string(wisp) +
+                                 ", expected one under " + std::to_string(designs.size()));
+            const HairDesc own = scene_of_wisp(scene, wisp).hair;
+            designs[wisp].skeleton = own.skeleton;
+            designs[wisp].envelope = own.envelope;
+        }
+    return designs;
+}
+
+Body make_obstacle(const ObstacleDesc& desc, const Body& wearer) {
+    Body body;
+    body.name = desc.name;
+    body.mesh =
+        desc.shape == ObstacleShape::mesh ? read_obj(desc.mesh, desc.unit) : obstacle_mesh(desc);
+    body.worn = desc.worn;
+    const std::vector<MotionKey> keys = obstacle_keys(desc);
+    if (!desc.worn) {
+        if (!keys.empty())
+            body.motion = keyframed_motion(keys);
+        return body;
+    }
+    if (!keys.empty())
+        for (Vec3& v : body.mesh.vertices)
+            v = Vec3(keys[0].rotation.rotate(Vec3d(v)) + keys[0].position);
+    if (wearer.motion)
+        body.motion = std::make_shared<Follower>(wearer.motion, wearer.head_bone);
+    return body;
+}
+
+} // namespace
+
+RunSetup prepare(const SceneDesc& scene) {
+    Body wearer = scene.character.mesh.empty() ? make_bust() : read_wearer(scene.character);
+    wearer.motion = make_motion(scene.motion);
+    RunSetup setup;
+    setup.scene = write_scene(scene);
+    setup.groom = make_groom(lay_hair(scene, wearer), wearer.mesh, scene.simulation.gravity);
+    for (const ObstacleDesc& obstacle : scene.obstacles)
+        setup.bodies.push_back(make_obstacle(obstacle, wearer));
+    setup.bodies.insert(setup.bodies.begin(), std::move(wearer));
+    return setup;
+}
+
+} // namespace mane

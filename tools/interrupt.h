@@ -1,0 +1,18 @@
+#pragma once
+
+namespace mane::tool {
+
+/// While it lives, the first SIGINT or SIGTERM is noted instead of ending the program, so that a
+/// frame in work can be finished and the file closed. A second one ends it at once.
+class Interrupt {
+  public:
+    Interrupt();
+    ~Interrupt();
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+    /// The signal that came, or 0.
+    int signal() const;
+};
+
+} // namespace mane::tool

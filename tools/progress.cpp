@@ -1,0 +1,38 @@
+#include "progress.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <string>
+#include <unistd.h>
+
+namespace mane::tool {
+
+Progress::Progress(std::size_t frames) : frames_(frames), terminal_(isatty(STDERR_FILENO) != 0) {}
+
+Progress::~Progress() {
+    if (terminal_)
+        fmt::print(stderr, "\r\x1b[K");
+}
+
+void Progress::show(std::size_t done) {
+    const Clock::time_point now = Clock::now();
+    // Ten times a second is as smooth as anyone can read.
+    if (!terminal_ || (now - shown_ < std::chrono::milliseconds(100) && done < frames_))
+        return;
+    shown_ = now;
+    const double share = static_cast<double>(done) / static_cast<double>(frames_);
+    const double spent = std::chrono::duration<double>(now - start_).count();
+    const std::size_t width = 32,
+                      full = static_cast<std::size_t>(share * static_cast<double>(width));
+    std::string bar;
+    for (std::size_t i = 0; i < width; ++i)
+        bar += i < full ? "━" : "·";
+    fmt::print(stderr, "\r\x1b[K{} {:3.0f} %  frame {}/{}", bar, 100 * share, done, frames_);
+    if (done > 0)
+        fmt::print(stderr, "  {:.1f} frames/s, {:.0f} s left", static_cast<double>(done) / spent,
+                   spent / share - spent);
+    std::fflush(stderr);
+}
+
+} // namespace mane::tool

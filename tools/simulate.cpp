@@ -1,0 +1,173 @@
+#include "commands.h"
+
+#include "interrupt.h"
+#include "mane/cache.h"
+#include "mane/error.h"
+#include "mane/scene.h"
+#include "mane/setup.h"
+#include "mane/world.h"
+#include "progress.h"
+#include "report.h"
+
+#include <fmt/core.h>
+
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <thread>
+
+namespace mane::tool {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+SceneDesc load_scene(const SimulateOptions& options) {
+    SceneDesc scene = read_scene(options.scene);
+    if (!options.rates.empty())
+        apply_rates(scene, options.rates);
+    for (const std::string& setting : options.settings)
+        apply_setting(scene, setting);
+    if (options.frames)
+        apply_setting(scene, "schedule.frames=" + std::to_string(*options.frames));
+    return scene;
+}
+
+BodyPoses poses_at(const std::vector<Body>& bodies, double time) {
+    BodyPoses poses;
+    for (const Body& body : bodies) {
+        poses.emplace_back(body.motion ? body.motion->bone_count() : 0);
+        if (body.motion)
+            body.motion->evaluate(time, poses.back());
+    }
+    return poses;
+}
+
+/// What one frame added to the statistics: the profile and the contacts of `--record`.
+std::vector<Column> difference(const Statistics& before, const Statistics& now) {
+    const auto count = [](const char* name, std::uint64_t a, std::uint64_t b) {
+        return Column{name, "1", std::vector<std::uint32_t>{static_cast<std::uint32_t>(b - a)}};
+    };
+    std::vector<Column> table;
+    for (std::size_t s = 0; s < static_cast<std::size_t>(Stage::count); ++s)
+        table.push_back({stage_name(static_cast<Stage>(s)), "s",
+                         std::vector<double>{now.stage_seconds[s] - before.stage_seconds[s]}});
+    table.push_back(count("steps", before.steps, now.steps));
+    table.push_back(count("wisp_detections", before.wisp_detections, now.wisp_detections));
+    table.push_back(
+        count("character_detections", before.character_detections, now.character_detections));
+    table.push_back(count("intersections", before.intersections, now.intersections));
+    table.push_back(count("friction_contacts", before.friction_contacts, now.friction_contacts));
+    table.push_back(count("collision_contacts", before.collision_contacts, now.collision_contacts));
+    table.push_back(count("sliding_contacts", before.sliding_contacts, now.sliding_contacts));
+    table.push_back(
+        count("penetration_reactions", before.penetration_reactions, now.penetration_reactions));
+    return table;
+}
+
+/// One run: the preroll, which is not stored, and the frames of the scene.
+class Run {
+  public:
+    Run(const SimulateOptions& options, const SceneDesc& scene, const RunSetup& setup)
+        : options_(options), schedule_(scene.simulation.schedule), setup_(setup),
+          preroll_(static_cast<std::uint32_t>(std::ceil(schedule_.preroll * schedule_.frame_rate))),
+          world_(scene.simulation, setup.groom, setup.bodies,
+                 -static_cast<double>(preroll_) / schedule_.frame_rate, {options.threads, {}}) {}
+
+    /// Simulates until the end or a signal.
+    void simulate(CacheWriter& cache, const Interrupt& interrupt) {
+        const Clock::time_point start = Clock::now();
+        Progress progress(preroll_ + schedule_.frames);
+        for (std::uint32_t i = 0; i < preroll_ + schedule_.frames && !interrupt.signal(); ++i) {
+            if (i > 0)
+                advance();
+            if (i >= preroll_)
+                store(cache, i - preroll_);
+            progress.show(i + 1);
+        }
+        wall_seconds_ = seconds_since(start);
+    }
+
+    Report report(const CacheWriter& cache, bool interrupted) const {
+        Report r;
+        r.scene = options_.scene;
+        r.frames = static_cast<std::uint32_t>(cache.frame_count());
+        r.simulated_seconds = world_.frame().index / static_cast<double>(schedule_.frame_rate);
+        r.wall_seconds = wall_seconds_;
+        r.writing_seconds = writing_seconds_;
+        r.statistics = world_.statistics();
+        r.wisps = setup_.groom.wisp_count();
+        r.segments = setup_.groom.section_count() - 2 * setup_.groom.wisp_count();
+        r.state_hash = world_.state_hash();
+        r.threads = options_.threads > 0 ? options_.threads : std::thread::hardware_concurrency();
+        r.instruction_set = world_.instruction_set();
+        r.interrupted = interrupted;
+        return r;
+    }
+
+  private:
+    void advance() {
+        before_ = world_.statistics();
+        world_.advance();
+    }
+
+    void store(CacheWriter& cache, std::uint32_t index) {
+        const Clock::time_point start = Clock::now();
+        Frame frame = world_.frame();
+        frame.index = index;
+        cache.add(frame, poses_at(setup_.bodies, frame.time));
+        if (options_.record)
+            cache.add_table("PROF", index, difference(before_, world_.statistics()));
+        writing_seconds_ += seconds_since(start);
+    }
+
+    const SimulateOptions& options_;
+    ScheduleDesc schedule_;
+    const RunSetup& setup_;
+    std::uint32_t preroll_; ///< [1] frames before the first stored one
+    World world_;
+    Statistics before_;
+    double wall_seconds_ = 0, writing_seconds_ = 0;
+};
+
+void write_statistics(const std::string& file, const std::string& json) {
+    std::ofstream out(file, std::ios::binary);
+    out << json;
+    out.close();
+    if (!out)
+        throw InputError(file + ": cannot be written");
+}
+
+} // namespace
+
+int simulate(const SimulateOptions& options) {
+    const SceneDesc scene = load_scene(options);
+    const RunSetup setup = prepare(scene);
+    Run run(options, scene, setup);
+    CacheWriter cache(options.output, setup);
+    const Interrupt interrupt;
+    try {
+        run.simulate(cache, interrupt);
+    } catch (const SimulationError& error) {
+        if (cache.frame_count() == 0)
+            throw;
+        throw SimulationError(fmt::format("{}; the {} frames before are in {}", error.what(),
+                                          cache.frame_count(), cache.path().string()));
+    }
+    const Report report = run.report(cache, interrupt.signal() != 0);
+    const std::string json = to_json(report);
+    cache.finish(json);
+    if (!options.statistics.empty())
+        write_statistics(options.statistics, json);
+    if (interrupt.signal()) {
+        fmt::print(stderr, "mane: interrupted; {} holds the {} frames so far\n", options.output,
+                   report.frames);
+        return 128 + interrupt.signal();
+    }
+    fmt::print("{}", to_table(report));
+    return 0;
+}
+
+} // namespace mane::tool
