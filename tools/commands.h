@@ -37,6 +37,32 @@ struct CompareOptions {
 };
 int compare(const CompareOptions& options);
 
+struct ExtractOptions {
+    std::string file;
+    std::string output;
+    std::uint32_t frame = 0;
+    std::string layer = "strands";
+    std::optional<std::uint32_t> strands; ///< the scene's if not given
+    std::uint32_t samples = 4;            ///< per segment
+    unsigned threads = 0;
+};
+int extract(const ExtractOptions& options);
+
+struct PictureOptions {
+    std::string file;
+    std::string output;
+    std::vector<std::uint32_t> frames = {0}; ///< columns of a contact sheet, if there are several
+    std::vector<std::string> views = {"three-quarter"}; ///< its rows
+    std::string layer = "strands";
+    std::uint32_t size = 640, samples = 16, strands = 30000;
+    double height = 0.70;            ///< [m] seen by a view
+    std::vector<double> eye, target; ///< [m] in the world, instead of a view
+    bool colour_by_wisp = false;
+    unsigned threads = 0;
+};
+/// Only where Embree and libpng were found.
+int picture(const PictureOptions& options);
+
 struct HelpSceneOptions {
     std::string section;
     bool schema = false;

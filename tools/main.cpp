@@ -15,6 +15,8 @@ constexpr const char* kExamples = R"(Examples:
   mane simulate scenes/long.toml -o stiff.mane --set skeleton.bending_length=9cm --frames 48
   mane compare long.mane stiff.mane
   mane info long.mane
+  mane extract long.mane --frame 100 --layer strands --strands 1000000 -o long.hair
+  mane picture long.mane --frame 0,60,120 --view face,profile,back -o long.png
   mane help scene skeleton
 
 Exit codes: 0 done, 1 a comparison or a run failed, 2 bad input, 130 or 143 interrupted.)";
@@ -67,6 +69,67 @@ void add_compare(CLI::App& app, Run& run) {
     command->callback([&run] { run = [] { return compare(o); }; });
 }
 
+void add_extract(CLI::App& app, Run& run) {
+    static ExtractOptions o;
+    CLI::App* command = app.add_subcommand("extract", "A layer of one frame as a file");
+    command->add_option("FILE", o.file, "cache")->required();
+    command
+        ->add_option("-o,--output", o.output,
+                     "file to write: .hair, .ply or .obj for curves, .ply or .obj for meshes")
+        ->required();
+    command->add_option("--frame", o.frame, "frame, from 0")->capture_default_str();
+    command->add_option("--layer", o.layer, "strands, skeleton, envelope or character")
+        ->capture_default_str();
+    command->add_option("--strands", o.strands,
+                        "strands on the whole head, instead of the scene's");
+    command->add_option("--samples", o.samples, "points of a strand per segment")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command->add_option("--threads", o.threads, "0: as many as the machine has")
+        ->capture_default_str();
+    command->callback([&run] { run = [] { return extract(o); }; });
+}
+
+#ifdef MANE_HAS_PICTURE
+void add_picture(CLI::App& app, Run& run) {
+    static PictureOptions o;
+    CLI::App* command = app.add_subcommand(
+        "picture", "Ray-traced picture of a frame; a contact sheet of several frames and views");
+    command->add_option("FILE", o.file, "cache")->required();
+    command->add_option("-o,--output", o.output, "picture to write")
+        ->required()
+        ->type_name("FILE.png");
+    command->add_option("--frame", o.frames, "frames, from 0: N or N,N,…")
+        ->delimiter(',')
+        ->capture_default_str();
+    command->add_option("--view", o.views, "face, three-quarter, profile, back, or several")
+        ->delimiter(',')
+        ->capture_default_str();
+    command->add_option("--layer", o.layer, "strands, skeleton, envelope or character")
+        ->capture_default_str();
+    command->add_option("--size", o.size, "pixels, each way")->capture_default_str();
+    command->add_option("--samples", o.samples, "rays per pixel")->capture_default_str();
+    command->add_option("--strands", o.strands, "strands drawn; fewer are drawn wider")
+        ->capture_default_str();
+    command->add_option("--height", o.height, "metres that a view sees")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    CLI::Option* eye =
+        command->add_option("--eye", o.eye, "camera in the world, instead of a view: x,y,z [m]")
+            ->delimiter(',')
+            ->expected(3);
+    CLI::Option* target = command->add_option("--target", o.target, "what it looks at: x,y,z [m]")
+                              ->delimiter(',')
+                              ->expected(3);
+    eye->needs(target);
+    target->needs(eye);
+    command->add_flag("--colour-by-wisp", o.colour_by_wisp, "each wisp in a colour of its own");
+    command->add_option("--threads", o.threads, "0: as many as the machine has")
+        ->capture_default_str();
+    command->callback([&run] { run = [] { return picture(o); }; });
+}
+#endif
+
 void add_help(CLI::App& app, Run& run) {
     static HelpSceneOptions o;
     CLI::App* command = app.add_subcommand("help", "Help on scene files");
@@ -87,6 +150,10 @@ int run_command(int argc, char** argv) {
     add_simulate(app, run);
     add_info(app, run);
     add_compare(app, run);
+    add_extract(app, run);
+#ifdef MANE_HAS_PICTURE
+    add_picture(app, run);
+#endif
     add_help(app, run);
     try {
         app.parse(argc, argv);
