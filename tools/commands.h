@@ -37,6 +37,39 @@ struct CompareOptions {
 };
 int compare(const CompareOptions& options);
 
+/// In the order of PictureLayer; `extract` knows the same.
+inline std::vector<std::string> layer_names() {
+    return {"strands", "skeleton", "envelope", "character"};
+}
+/// In the order of View.
+inline std::vector<std::string> view_names() {
+    return {"face", "three-quarter", "profile", "back"};
+}
+
+struct ExtractOptions {
+    std::string file, output;
+    std::string layer = "strands";
+    std::size_t frame = 0;
+    std::optional<std::uint32_t> strands;
+    std::uint32_t samples = 4; ///< per segment
+    unsigned threads = 0;
+};
+int extract(const ExtractOptions& options);
+
+struct PictureOptions {
+    std::string file, output;
+    std::string layer = "strands";
+    std::vector<std::size_t> frames{0};
+    std::vector<std::string> views{"three-quarter"};
+    std::vector<std::uint32_t> size{640}; ///< [pixels] width and height, or one for both
+    std::uint32_t samples = 16, strands = 30000;
+    bool colour_by_wisp = false;
+    std::vector<double> eye, target; ///< [m] three numbers each, or none
+    double field_of_view = 24;       ///< [deg]
+    unsigned threads = 0;
+};
+int picture(const PictureOptions& options);
+
 struct HelpSceneOptions {
     std::string section;
     bool schema = false;

@@ -14,6 +14,8 @@ constexpr const char* kExamples = R"(Examples:
   mane simulate scenes/long.toml -o long.mane
   mane simulate scenes/long.toml -o stiff.mane --set skeleton.bending_length=9cm --frames 48
   mane compare long.mane stiff.mane
+  mane extract long.mane --frame 100 -o long.hair
+  mane picture long.mane --frame 0 60 120 --view face profile back -o long.png
   mane info long.mane
   mane help scene skeleton
 
@@ -67,6 +69,64 @@ void add_compare(CLI::App& app, Run& run) {
     command->callback([&run] { run = [] { return compare(o); }; });
 }
 
+void add_extract(CLI::App& app, Run& run) {
+    static ExtractOptions o;
+    CLI::App* command = app.add_subcommand("extract", "A layer of one frame, for other programs");
+    command->add_option("FILE", o.file, "cache")->required();
+    command->add_option("-o,--output", o.output, "file to write: .hair, .ply, .obj")->required();
+    command->add_option("--frame", o.frame, "frame, from 0")->capture_default_str();
+    command->add_option("--layer", o.layer)
+        ->check(CLI::IsMember(layer_names()))
+        ->capture_default_str();
+    command->add_option("--strands", o.strands, "strands on the head, instead of the scene's");
+    command->add_option("--samples", o.samples, "points per segment")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    command->add_option("--threads", o.threads, "threads; 0: as many as the machine has")
+        ->capture_default_str();
+    command->callback([&run] { run = [] { return extract(o); }; });
+}
+
+#ifdef MANE_HAS_PICTURE
+void add_picture(CLI::App& app, Run& run) {
+    static PictureOptions o;
+    CLI::App* command = app.add_subcommand(
+        "picture", "A quick ray-traced picture; several frames or views make a sheet");
+    command->add_option("FILE", o.file, "cache")->required();
+    command->add_option("-o,--output", o.output, "picture to write")
+        ->required()
+        ->type_name("OUT.png");
+    command->add_option("--frame", o.frames, "frames, from 0")->capture_default_str();
+    command->add_option("--layer", o.layer)
+        ->check(CLI::IsMember(layer_names()))
+        ->capture_default_str();
+    command->add_option("--view", o.views, "from where, around the head")
+        ->check(CLI::IsMember(view_names()))
+        ->capture_default_str();
+    command->add_option("--size", o.size, "pixels: width and height, or one for both")
+        ->expected(1, 2)
+        ->check(CLI::Range(1, 16384))
+        ->capture_default_str();
+    command->add_option("--strands", o.strands, "strands drawn")->capture_default_str();
+    command->add_option("--samples", o.samples, "rays per pixel")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
+    command->add_flag("--colour-by-wisp", o.colour_by_wisp, "each wisp in a colour of its own");
+    CLI::Option* eye =
+        command->add_option("--eye", o.eye, "camera [m], instead of --view: x y z")->expected(3);
+    CLI::Option* target =
+        command->add_option("--target", o.target, "what it looks at [m]: x y z")->expected(3);
+    eye->needs(target);
+    target->needs(eye);
+    command->add_option("--field-of-view", o.field_of_view, "of that camera [deg]")
+        ->check(CLI::Range(1, 150))
+        ->capture_default_str();
+    command->add_option("--threads", o.threads, "threads; 0: as many as the machine has")
+        ->capture_default_str();
+    command->callback([&run] { run = [] { return picture(o); }; });
+}
+#endif
+
 void add_help(CLI::App& app, Run& run) {
     static HelpSceneOptions o;
     CLI::App* command = app.add_subcommand("help", "Help on scene files");
@@ -87,6 +147,10 @@ int run_command(int argc, char** argv) {
     add_simulate(app, run);
     add_info(app, run);
     add_compare(app, run);
+    add_extract(app, run);
+#ifdef MANE_HAS_PICTURE
+    add_picture(app, run);
+#endif
     add_help(app, run);
     try {
         app.parse(argc, argv);

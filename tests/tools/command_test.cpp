@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -231,6 +232,41 @@ TEST_CASE("damaged caches are refused with the place, cut ones are read as far a
               "interrupted; no whole chunk at byte 16)");
     check_bad(folder, "info small.toml", "small.toml: is no .mane file (bad magic)");
     check_bad(folder, "compare a.mane none.mane", "none.mane: cannot be read");
+}
+
+TEST_CASE("layers and pictures of a frame are written; a wrong frame, layer or ending is refused") {
+    Folder folder;
+    REQUIRE(mane_command(folder, "simulate small.toml -o a.mane").code == 0);
+    REQUIRE(mane_command(folder, "extract a.mane --frame 2 --strands 100 -o s.hair").code == 0);
+    CHECK(folder.read("s.hair").starts_with("HAIR"));
+    REQUIRE(mane_command(folder, "extract a.mane --layer skeleton -o k.obj").code == 0);
+    REQUIRE(mane_command(folder, "extract a.mane --layer envelope -o e.ply").code == 0);
+    CHECK(folder.read("e.ply").starts_with("ply"));
+    REQUIRE(mane_command(folder, "extract a.mane --frame 3 --layer character -o c.obj").code == 0);
+    // The character's first vertex is where the cache says, in the world.
+    const CacheReader cache(folder / "a.mane");
+    const Vec3d expected = Vec3d(cache.body_vertices(3, 0)[0]) + cache.frame(3).origin;
+    const std::string obj = folder.read("c.obj");
+    Vec3d first;
+    std::istringstream line(obj.substr(obj.find("\nv ") + 3));
+    line >> first.x >> first.y >> first.z;
+    CHECK(length(first - expected) < 1e-5);
+
+    check_bad(folder, "extract a.mane --frame 4 -o x.hair",
+              "a.mane: has no frame 4, expected one under 4");
+    CHECK(mane_command(folder, "extract a.mane --layer envelope -o e.hair").code == 2);
+    CHECK(mane_command(folder, "extract a.mane --layer scalp -o e.ply").code == 2);
+    CHECK(mane_command(folder, "extract a.mane -o no/where.hair").code == 2);
+    if (mane_command(folder, "--help").out.find("\n  picture") == std::string::npos) {
+        MESSAGE("skipped: built without pictures");
+        return;
+    }
+    REQUIRE(mane_command(folder, "picture a.mane --frame 0 3 --view face back --size 40 30 "
+                                 "--samples 1 --strands 100 -o p.png")
+                .code == 0);
+    CHECK(folder.read("p.png").starts_with("\x89PNG"));
+    check_bad(folder, "picture a.mane --frame 0 9 -o p.png",
+              "a.mane: has no frame 9, expected one under 4");
 }
 
 TEST_CASE("a signal ends a run after a whole frame and leaves a readable file") {
