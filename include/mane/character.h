@@ -37,7 +37,7 @@ std::vector<std::uint32_t> bust_scalp(const Body& bust);
 struct HeadTurn {
     double yaw = 0;   ///< to the left
     double pitch = 0; ///< nods down
-    double roll = 0;  ///< leans to the left shoulder... toward −X is positive
+    double roll = 0;  ///< leans to the right shoulder
 };
 
 /// Lifelike motion of the three bones, 11 s long: looks around, shakes ("no"), nods, bows, a quick
@@ -62,12 +62,12 @@ struct ClipMotionDesc {
     std::string head;
 };
 
-/// Motion captured in a clip. The head joint moves exactly as the clip's (it carries the hair);
-/// neck and chest turn as the clip's and hang from it by the bust's own proportions. With all
-/// rotations zero the bust is upright and faces +Z, as in its rest pose. Positions and quaternions
-/// are low-passed, then joined by C² cubic splines; before the first and after the last usable
-/// frame the motion comes to rest smoothly within half a second. Throws InputError for unknown
-/// joints and empty ranges.
+/// Motion captured in a clip. The head joint moves exactly as the clip's (it carries the hair); the
+/// chest turns as the clip's, the neck halfway between both, and they hang from the head by the
+/// bust's own proportions. With all rotations zero the bust is upright and faces +Z, as in its rest
+/// pose. Positions and quaternions are low-passed, then joined by C² cubic splines; before the
+/// first and after the last usable frame the motion comes to rest smoothly within half a second.
+/// Throws InputError for unknown joints and empty ranges.
 std::shared_ptr<const Motion> clip_motion(const Clip& clip, const ClipMotionDesc& desc,
                                           const BustJoints& joints = bust_joints());
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 namespace mane {
 
@@ -50,6 +51,25 @@ class StrandShape {
   private:
     struct Data;
     std::unique_ptr<const Data> data_;
+};
+
+/// The drawn envelope of one wisp, to judge strands by (M17): from a point to its place, in
+/// doubles, where drawing goes from a place to its point.
+class EnvelopeGauge {
+  public:
+    EnvelopeGauge(const Groom& groom, const Frame& frame, std::size_t wisp);
+
+    /// How deep `point` [m] is in the cross-section at `p` (as `StrandShape::parameter`): 0 on the
+    /// skeleton, 1 on the surface, more outside. Infinite if it is in none of the section's
+    /// sectors, to `tolerance` [m].
+    double depth(const Vec3d& point, double p, double tolerance = 2e-6) const;
+
+  private:
+    template <typename Points> Vec3d curve(double p, Points points) const;
+
+    std::size_t half_lines_;
+    std::vector<Vec3d> centre_; // per section
+    std::vector<Vec3d> end_;    // sections × K: of the half lines, relative to the centre
 };
 
 /// All strands of a frame at once, on `threads` threads (0: as many as the machine has).

@@ -11,27 +11,31 @@ namespace {
 // Finer where the shape is: eyes, nose and lips, then the ears, then the head; coarse on the chest.
 double bust_edge_length(const Vec3d& p) {
     const Vec3d q{std::fabs(p.x), p.y, p.z};
-    const double features = ellipsoid(q, {0, 1.505, 0.095}, {0.040, 0.055, 0.030});
+    const double features = ellipsoid(q, {0, 1.505, 0.095}, {0.042, 0.058, 0.030});
     const double ear = ball(q, {0.075, 1.527, -0.016}, 0.026);
     const double head = ellipsoid(q, {0, 1.54, -0.005}, {0.085, 0.115, 0.11});
-    const double at_features = 0.0048 + 0.15 * std::max(features, 0.0);
-    const double at_ear = 0.0062 + 0.15 * std::max(ear, 0.0);
-    const double at_head = 0.0105 + 0.15 * std::max(head, 0.0);
+    const double at_features = 0.0034 + 0.15 * std::max(features, 0.0);
+    const double at_ear = 0.0052 + 0.15 * std::max(ear, 0.0);
+    const double at_head = 0.0100 + 0.15 * std::max(head, 0.0);
     return std::min({at_features, at_ear, at_head, 0.0200});
 }
 
 // A band across the neck over which a vertex passes from one bone to the next. It rises from the
-// throat to the nape as the jaw and the collar do: the chin goes with the head, the trapezius with
-// the chest.
+// throat to the nape, as jaw and collar do: the chin goes with the head, the trapezius with the
+// chest. Its slope differs before and behind the neck's axis, or it would cut through the occiput.
 struct Band {
-    Vec3d centre, up;
-    double width; // [m] along `up`
+    double height, axis; // [m] y and z of its middle
+    double slope_before, slope_behind;
+    double width; // [m] along y
+
     double share(const Vec3d& p) const {
-        return ease(dot(p - centre, normalized(up)) / width + 0.5).value;
+        const double z = p.z - axis;
+        const double rise = -smooth_union(-slope_before * z, -slope_behind * z, 0.02);
+        return ease((p.y - height + rise) / width + 0.5).value;
     }
 };
-const Band kChestToNeck{{0, 1.392, -0.032}, {0, 1, 0.55}, 0.075};
-const Band kNeckToHead{{0, 1.458, -0.012}, {0, 1, 0.62}, 0.070};
+constexpr Band kChestToNeck{1.392, -0.032, 0.55, 0.45, 0.085};
+constexpr Band kNeckToHead{1.455, -0.012, 0.75, 0.30, 0.078};
 
 Skin bust_skin(const Mesh& mesh) {
     Skin skin;
@@ -54,7 +58,7 @@ BustJoints bust_joints() {
 Body make_bust() {
     Body bust;
     bust.name = "bust";
-    const Mesh coarse = polygonise(bust_distance, bust_box(), 0.009);
+    const Mesh coarse = polygonise(bust_distance, bust_box(), 0.006);
     bust.mesh = remesh(coarse, {bust_distance, bust_edge_length}, 8);
     bust.skin = bust_skin(bust.mesh);
     bust.head_bone = kHeadBone;

@@ -10,11 +10,18 @@
 namespace mane {
 namespace {
 
-using BustNames = std::array<std::string, kBustBones>;
+// The clip's joints that drive the bust. Its neck is not among them: captured necks share the
+// turning of the head unevenly, even with opposite signs (in the salsa clips +20° and −65°), which
+// folds a smooth skin.
+struct JointNames {
+    std::string chest, head;
+};
+struct Joints {
+    std::size_t chest, head;
+};
 
 // The naming families: CMU's own, the one of Motion Builder, DAZ's.
-const BustNames kFamilies[] = {
-    {"Spine1", "Neck1", "Head"}, {"Chest2", "Neck", "Head"}, {"chest", "neck", "head"}};
+const JointNames kFamilies[] = {{"Spine1", "Head"}, {"Chest2", "Head"}, {"chest", "head"}};
 
 std::size_t find_joint(const Clip& clip, const std::string& name) {
     const auto found = std::find_if(clip.joints.begin(), clip.joints.end(),
@@ -30,28 +37,29 @@ std::string all_names(const Clip& clip) {
     return names;
 }
 
-std::array<std::size_t, kBustBones> bust_joints_of(const Clip& clip, const BustNames& wanted) {
-    const auto complete = [&](const BustNames& family) {
-        for (std::size_t b = 0; b < kBustBones; ++b)
-            if (wanted[b].empty() && find_joint(clip, family[b]) == clip.joints.size())
-                return false;
-        return true;
-    };
-    const auto family = std::find_if(std::begin(kFamilies), std::end(kFamilies), complete);
-    if (family == std::end(kFamilies))
-        throw InputError(clip.source +
-                         ": chest, neck and head are not found by name, set them; "
-                         "the clip's joints are " +
+std::size_t require_joint(const Clip& clip, const std::string& name) {
+    const std::size_t joint = find_joint(clip, name);
+    if (joint == clip.joints.size())
+        throw InputError(clip.source + ": no joint \"" + name + "\"; the clip's joints are " +
                          all_names(clip));
-    std::array<std::size_t, kBustBones> joints{};
-    for (std::size_t b = 0; b < kBustBones; ++b) {
-        const std::string& name = wanted[b].empty() ? (*family)[b] : wanted[b];
-        joints[b] = find_joint(clip, name);
-        if (joints[b] == clip.joints.size())
-            throw InputError(clip.source + ": no joint \"" + name + "\"; the clip's joints are " +
-                             all_names(clip));
-    }
-    return joints;
+    return joint;
+}
+
+Joints find_joints(const Clip& clip, const JointNames& set) {
+    const auto fits = [&](const std::string& set_name, const std::string& name) {
+        return !set_name.empty() || find_joint(clip, name) < clip.joints.size();
+    };
+    const auto family =
+        std::find_if(std::begin(kFamilies), std::end(kFamilies), [&](const JointNames& f) {
+            return fits(set.chest, f.chest) && fits(set.head, f.head);
+        });
+    if (family == std::end(kFamilies))
+        throw InputError(
+            clip.source +
+            ": chest and head are not found by name, set them; the clip's joints are " +
+            all_names(clip));
+    return {require_joint(clip, set.chest.empty() ? family->chest : set.chest),
+            require_joint(clip, set.head.empty() ? family->head : set.head)};
 }
 
 // The frames used, and when each is.
@@ -81,56 +89,60 @@ FrameRange frame_range(const Clip& clip, const ClipMotionDesc& desc) {
     return range;
 }
 
-// Low-passed in place. Quaternions with aligned signs are averaged as vectors: with positive
-// weights over a few hundredths of a second this is, once normalised, the mean rotation (filtering
-// Euler angles would depend on the axes and break at their jumps).
+// The motion of the clip's head and chest, low-passed. Quaternions with aligned signs are averaged
+// as vectors: with positive weights over a few hundredths of a second this is, once normalised, the
+// mean rotation (filtering Euler angles would depend on the axes and break at their jumps).
 class BustTracks {
   public:
     BustTracks(const Clip& clip, const ClipMotionDesc& desc)
-        : BustTracks(clip, desc, frame_range(clip, desc),
-                     bust_joints_of(clip, {desc.chest, desc.neck, desc.head})) {}
+        : BustTracks(Samples(clip, desc, frame_range(clip, desc),
+                             find_joints(clip, {desc.chest, desc.head}))) {}
 
     PointMotion head(double time) const {
         const auto [p, v] = position_.evaluate(time);
         return {{p[0], p[1], p[2]}, {v[0], v[1], v[2]}};
     }
+    // The neck is turned halfway between chest and head.
     BustTurning turning(double time) const {
-        return {turning_of(chest_.evaluate(time)), turning_of(neck_.evaluate(time)),
-                turning_of(head_.evaluate(time))};
+        const TrackPoint<4> chest = chest_.evaluate(time), head = head_.evaluate(time);
+        TrackPoint<4> neck;
+        for (std::size_t c = 0; c < 4; ++c) {
+            neck.value[c] = chest.value[c] + head.value[c];
+            neck.rate[c] = chest.rate[c] + head.rate[c];
+        }
+        return {turning_of(chest), turning_of(neck), turning_of(head)};
     }
 
   private:
-    BustTracks(const Clip& clip, const ClipMotionDesc& desc, const FrameRange& range,
-               const std::array<std::size_t, kBustBones>& joints)
-        : position_(position_track(clip, desc, range, joints[kHeadBone])),
-          chest_(rotation_track(clip, desc, range, joints[kChestBone])),
-          neck_(rotation_track(clip, desc, range, joints[kNeckBone])),
-          head_(rotation_track(clip, desc, range, joints[kHeadBone])) {}
+    struct Samples {
+        std::vector<double> times;
+        JointTrajectory chest, head;
 
-    template <std::size_t N> static Track<N> filtered(const ClipMotionDesc& desc,
-                                                      const FrameRange& range,
-                                                      std::vector<std::array<double, N>> samples) {
-        if (desc.lowpass > 0 && samples.size() > 1)
-            gaussian_low_pass(samples, gaussian_width(desc.lowpass, range.fps));
-        return {range.times, samples, TrackEnd::coast};
-    }
-    static Track<3> position_track(const Clip& clip, const ClipMotionDesc& desc,
-                                   const FrameRange& range, std::size_t joint) {
-        auto samples = joint_trajectory(clip, joint, range.earliest, range.last).positions;
-        for (auto& p : samples)
-            for (double& x : p)
-                x *= desc.unit;
-        return filtered(desc, range, std::move(samples));
-    }
-    static Track<4> rotation_track(const Clip& clip, const ClipMotionDesc& desc,
-                                   const FrameRange& range, std::size_t joint) {
-        auto samples = joint_trajectory(clip, joint, range.earliest, range.last).rotations;
-        align_signs(samples);
-        return filtered(desc, range, std::move(samples));
-    }
+        Samples(const Clip& clip, const ClipMotionDesc& desc, const FrameRange& range,
+                const Joints& joints)
+            : times(range.times),
+              chest(joint_trajectory(clip, joints.chest, range.earliest, range.last)),
+              head(joint_trajectory(clip, joints.head, range.earliest, range.last)) {
+            for (auto& p : head.positions)
+                for (double& x : p)
+                    x *= desc.unit;
+            align_signs(chest.rotations);
+            align_signs(head.rotations, chest.rotations.front());
+            if (desc.lowpass == 0 || times.size() == 1)
+                return;
+            const double width = gaussian_width(desc.lowpass, range.fps);
+            gaussian_low_pass(head.positions, width);
+            gaussian_low_pass(chest.rotations, width);
+            gaussian_low_pass(head.rotations, width);
+        }
+    };
+    explicit BustTracks(const Samples& s)
+        : position_(s.times, s.head.positions, TrackEnd::coast),
+          chest_(s.times, s.chest.rotations, TrackEnd::coast),
+          head_(s.times, s.head.rotations, TrackEnd::coast) {}
 
     Track<3> position_;
-    Track<4> chest_, neck_, head_;
+    Track<4> chest_, head_;
 };
 
 class ClipMotion final : public Motion {

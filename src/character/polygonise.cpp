@@ -23,8 +23,8 @@ class Grid {
             size_[a] = static_cast<std::size_t>(std::floor(length / cell)) + 2;
         }
         values_.reserve(size_[0] * size_[1] * size_[2]);
-        for (std::size_t n = 0; n < size_[0] * size_[1] * size_[2]; ++n)
-            values_.push_back(distance(position(n)));
+        for (std::size_t row = 0; row < size_[1] * size_[2]; ++row)
+            fill_row(distance);
     }
 
     Mesh polygonise() {
@@ -36,6 +36,18 @@ class Grid {
     }
 
   private:
+    // Far from the surface only the sign matters: it holds for as many nodes as the distance spans,
+    // halved because smooth unions and ellipsoids are no exact distances.
+    void fill_row(double (*distance)(const Vec3d&)) {
+        for (std::size_t x = 0; x < size_[0];) {
+            const double value = distance(position(values_.size()));
+            const auto same = static_cast<std::size_t>(std::fabs(value) / (2 * cell_)) + 1;
+            const std::size_t end = std::min(size_[0], x + same);
+            for (; x < end; ++x)
+                values_.push_back(value);
+        }
+    }
+
     std::size_t node(std::size_t x, std::size_t y, std::size_t z) const {
         return x + size_[0] * (y + size_[1] * z);
     }

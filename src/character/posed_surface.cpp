@@ -50,21 +50,22 @@ Vec3d PosedSurface::normal(std::uint32_t t) const {
 }
 
 std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
-                                                  const Accept& accept) const {
+                                                  const Accept& accept, std::uint32_t guess) const {
     std::optional<SurfacePlace> best;
     double limit = radius * radius;
-    const auto look_at = [&](std::uint32_t place) {
-        const SurfacePlace candidate{tree_.order()[place],
-                                     closest_on_triangle(p, in_double(corners_[place]))};
+    const auto look_at = [&](std::uint32_t t, const Triangle& corners) {
+        const SurfacePlace candidate{t, closest_on_triangle(p, corners)};
         if (candidate.closest.squared > limit)
             return;
-        if (best && candidate.closest.squared == limit && candidate.triangle > best->triangle)
+        if (best && candidate.closest.squared == limit && t >= best->triangle)
             return;
         if (accept && !accept(candidate))
             return;
         best = candidate;
         limit = candidate.closest.squared;
     };
+    if (guess < triangles_.size())
+        look_at(guess, triangle(guess));
 
     const auto nodes = tree_.nodes();
     if (nodes.empty())
@@ -82,7 +83,7 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
             continue;
         const TriangleTree::Node& node = nodes[entry.node];
         for (std::uint32_t i = 0; i < node.count; ++i)
-            look_at(node.next + i);
+            look_at(tree_.order()[node.next + i], in_double(corners_[node.next + i]));
         if (node.count > 0)
             continue;
         Entry near{entry.node + 1, squared_distance(p, nodes[entry.node + 1])};

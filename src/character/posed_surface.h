@@ -47,9 +47,11 @@ class PosedSurface {
     /// Asked of a place that would be the nearest so far: whether it counts.
     using Accept = std::function<bool(const SurfacePlace&)>;
     /// The place nearest to `p` within `radius` [m], among those that `accept` lets count; of
-    /// equally near triangles the lowest.
-    std::optional<SurfacePlace> nearest(const Vec3d& p, double radius,
-                                        const Accept& accept = {}) const;
+    /// equally near triangles the lowest. `guess`: a triangle that may be near; a good one saves
+    /// time, any gives the same answer.
+    std::optional<SurfacePlace> nearest(const Vec3d& p, double radius, const Accept& accept = {},
+                                        std::uint32_t guess = kNoGuess) const;
+    static constexpr std::uint32_t kNoGuess = 0xffffffffu;
     /// The nearest place of every triangle within `radius` [m] of `p`, by rising triangle.
     void within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const;
     /// All crossings of the segment from `a` to `b`, by rising position, then triangle. Watertight:

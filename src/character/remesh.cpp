@@ -34,6 +34,7 @@ class Remesher {
             flip_edges();
             relax();
         }
+        settle();
         return mesh_.finished();
     }
 
@@ -84,7 +85,7 @@ class Remesher {
     struct SurfacePoint {
         Vec3d position, normal;
     };
-    // Newton's steps along the gradient.
+    // Two of Newton's steps along the gradient.
     SurfacePoint on_surface(Vec3d p) const {
         Vec3d normal;
         for (int step = 0; step < 2; ++step) {
@@ -128,6 +129,14 @@ class Remesher {
             if (mesh_.least_cosine(v, to.position, to.normal) >= enough)
                 mesh_.move(v, to.position);
         }
+    }
+
+    // All vertices onto the surface, those too that could not move along it.
+    void settle() {
+        for (int step = 0; step < 2; ++step)
+            for (std::uint32_t v = 0; v < mesh_.vertex_slots(); ++v)
+                if (!mesh_.triangles_around(v).empty())
+                    mesh_.move(v, on_surface(mesh_.position(v)).position);
     }
 
     EditMesh mesh_;

@@ -32,15 +32,25 @@ Turning turning_of(const TrackPoint<4>& point) {
     return {q, Vec3d(spin.x, spin.y, spin.z) * 2.0};
 }
 
-void align_signs(std::vector<std::array<double, 4>>& rotations) {
-    for (std::size_t i = 1; i < rotations.size(); ++i) {
+void align_signs(std::vector<std::array<double, 4>>& rotations,
+                 const std::array<double, 4>& reference) {
+    const std::array<double, 4>* before = &reference;
+    for (auto& q : rotations) {
         double along = 0;
         for (std::size_t c = 0; c < 4; ++c)
-            along += rotations[i][c] * rotations[i - 1][c];
+            along += q[c] * (*before)[c];
         if (along < 0)
-            for (double& c : rotations[i])
+            for (double& c : q)
                 c = -c;
+        before = &q;
     }
+}
+
+void align_signs(std::vector<std::array<double, 4>>& rotations) {
+    if (rotations.empty())
+        return;
+    const std::array<double, 4> first = rotations.front();
+    align_signs(rotations, first);
 }
 
 } // namespace mane

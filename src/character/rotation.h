@@ -23,7 +23,9 @@ Turning turning_inside(const Turning& outer, const Turning& inner);
 Turning turning_of(const TrackPoint<4>& point);
 
 // Every quaternion or its opposite, the same rotation, on the side of the one before it, so that
-// neighbours can be filtered and interpolated.
+// neighbours can be filtered and interpolated; the first on the side of `reference`.
+void align_signs(std::vector<std::array<double, 4>>& rotations,
+                 const std::array<double, 4>& reference);
 void align_signs(std::vector<std::array<double, 4>>& rotations);
 
 } // namespace mane

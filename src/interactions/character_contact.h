@@ -37,6 +37,7 @@ struct SlidingContact {
 struct CarriedPoint {
     bool near = false; ///< whether any polygon was near enough to be met within the block
     Vec3 position;     ///< [m]
+    std::uint32_t triangle = PosedSurface::kNoGuess; ///< the nearest, of this block or an earlier
 };
 
 /// The hair's contacts with the character and the obstacles (§4.2). Wisps are answered apart from

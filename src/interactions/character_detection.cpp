@@ -22,10 +22,10 @@ class Detector {
 
     void run(std::span<CarriedPoint> carried) {
         const double block = surface_.duration();
-        Reach before = look_around(1);
+        Reach before = look_around(1, carried[1]);
         bool under = worn_ && inside(1);
         for (std::uint32_t i = 2; i < wisp_.sections(); ++i) {
-            const Reach here = look_around(i);
+            const Reach here = look_around(i, carried[i]);
             under = under && inside(i);
             carried[i].near = here.place && !under;
             if (carried[i].near)
@@ -52,7 +52,7 @@ class Detector {
     // One search per section, as wide as any of its points could get to within the block. All else
     // follows from its answer, since the distance to a surface changes by no more than the way
     // between two points.
-    Reach look_around(std::uint32_t i) const {
+    Reach look_around(std::uint32_t i, CarriedPoint& carried) const {
         const double block = surface_.duration();
         double rate = 0;
         for (std::uint32_t line = 0; line < wisp_.k(); ++line)
@@ -61,8 +61,10 @@ class Detector {
             length(Vec3d(wisp_.v[i])) + rate + surface_.fastest() + kAcceleration * block;
         Reach reach;
         reach.clear = double(desc_.threshold) + double(wisp_.largest_radius(i)) + speed * block;
-        reach.place = surface_.start().nearest(Vec3d(wisp_.x[i]), reach.clear);
+        reach.place =
+            surface_.start().nearest(Vec3d(wisp_.x[i]), reach.clear, {}, carried.triangle);
         if (reach.place) {
+            carried.triangle = reach.place->triangle;
             reach.clear = std::sqrt(reach.place->closest.squared);
             if (block > 0)
                 reach.velocity = velocity_at(surface_, *reach.place);
@@ -162,7 +164,7 @@ void CharacterContacts::detect(const HairView& hair, std::span<const ContactBody
             wisp.load(hair, static_cast<std::uint32_t>(w));
             const std::size_t sections = wisp.sections();
             contacts_[w].clear();
-            carried_[w].assign(bodies.size() * sections, {});
+            carried_[w].resize(bodies.size() * sections);
             for (std::uint32_t b = 0; b < bodies.size(); ++b)
                 Detector(wisp, bodies[b], b, desc, contacts_[w])
                     .run(std::span(carried_[w]).subspan(b * sections, sections));

@@ -205,18 +205,19 @@ class Reactor {
     /// The envelope points of a section, then the drawn surface halfway between them, come back to
     /// the surface: each along the line from the skeleton point, which is outside.
     void shrink_section(std::uint32_t i, std::uint32_t b) {
-        const float reach = wisp_.largest_radius(i);
-        if (exempt(i, b) || reach <= 0 || !escape_.distance(b, wisp_.x[i], double(reach)))
+        if (exempt(i, b))
             return;
         const Vec3 centre = wisp_.x[i];
+        const double clear = clearance(i, b, centre, wisp_.largest_radius(i));
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             const WispPoint point{i, 0, line, 1, 0};
-            const float share = share_outside(b, centre, wisp_.position(point));
+            const float share = share_outside(b, centre, wisp_.position(point), clear);
             if (share < 1)
                 scale(i, line, share);
         }
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
-            const float share = share_outside(b, centre, wisp_.position(half_arc(i, line)));
+            const Vec3 end = wisp_.position(half_arc(i, line));
+            const float share = share_outside(b, centre, end, clear);
             if (share < 1)
                 scale_sector(i, line, share);
         }
@@ -228,13 +229,15 @@ class Reactor {
         if (exempt(i, b) || exempt(i - 1, b))
             return;
         const Vec3 centre = halfway(i, {});
+        // in a curve of four sections an offset can exceed the largest of its two middle ones by an
+        // eighth
         const float reach = std::max(wisp_.largest_radius(i - 1), wisp_.largest_radius(i));
-        const std::optional<double> distance = escape_.distance(b, centre, double(reach) * 1.2);
-        if (!distance || escape_.inside(centre, b))
+        const double clear = clearance(i, b, centre, reach * 1.2f);
+        if (clear < double(reach) && escape_.inside(centre, b))
             return;
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, half_arc(i, line)}) {
-                const float share = share_outside(b, centre, halfway(i, point));
+                const float share = share_outside(b, centre, halfway(i, point), clear);
                 if (share >= 1)
                     continue;
                 for (std::uint32_t section : {i - 1, i}) {
@@ -248,13 +251,21 @@ class Reactor {
         }
     }
 
-    /// The share of the way from `centre` (outside) to `end` that is outside; 1 when `end` is
-    /// outside (M31).
-    float share_outside(std::uint32_t b, const Vec3& centre, const Vec3& end) {
+    /// Distance from `p`, near section i, to body `b`; no more than `radius`.
+    double clearance(std::uint32_t i, std::uint32_t b, const Vec3& p, float radius) const {
+        const std::uint32_t guess = carried_[b * wisp_.sections() + i].triangle;
+        return escape_.distance(b, p, double(radius), guess);
+    }
+
+    /// The share of the way from `centre` (outside, with nothing nearer than `clear`) to `end` that
+    /// is outside; 1 when `end` is outside (M31).
+    float share_outside(std::uint32_t b, const Vec3& centre, const Vec3& end, double clear) {
+        const float way = length(end - centre);
+        if (double(way) < clear)
+            return 1;
         const std::optional<Escape::Entry> entry = escape_.entry_to_stay(b, centre, end);
         if (!entry)
             return 1;
-        const float way = length(end - centre);
         return std::max(0.0f, static_cast<float>(entry->at) - kClear / way);
     }
 

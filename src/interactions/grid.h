@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/parallel_for.h"
 #include "interactions/segments.h"
 
 #include <cstdint>
@@ -8,41 +7,69 @@
 
 namespace mane {
 
-/// Two segments whose boxes overlap, by their index in ContactGeometry::segments(); a < b.
-struct SegmentPair {
-    std::uint32_t a = 0;
-    std::uint32_t b = 0;
-    bool operator==(const SegmentPair&) const = default;
-};
-
-/// The uniform grid of §4.1. The paper's mailboxes ensure that a pair that shares several cells is
-/// tested once; here the pair belongs to the cell of the lowest corner that both boxes share, which
-/// needs no memory and no order.
+/// The uniform grid of §4.1: every segment is named in each cell that its box overlaps. The paper's
+/// mailboxes ensure that a segment met in several cells is tested once; here a meeting belongs to
+/// the cell of the lowest corner that both boxes share, which needs no memory, so that queries can
+/// run in parallel.
 class SegmentGrid {
   public:
-    /// All pairs of overlapping boxes, each once, in an order that no thread count changes. The
-    /// reference lives until the next call.
-    const std::vector<SegmentPair>& overlapping_pairs(const ContactGeometry& geometry,
-                                                      Threads& threads);
+    /// Sorts the segments into cells anew. Allocates only where a call needs more than any before.
+    void build(const ContactGeometry& geometry);
+
+    /// Calls `visit` once with the index of every segment whose box overlaps `box`, in a fixed
+    /// order.
+    template <typename Visit>
+    void for_overlapping(const ContactGeometry& geometry, const Box& box, Visit&& visit) const;
 
   private:
-    struct Cells {
-        Vec3 low;
-        float inverse_size = 1;
-        std::uint32_t count[3] = {1, 1, 1};
-        std::uint32_t coordinate(float x, int axis) const;
+    struct Cell {
+        std::uint32_t x, y, z;
+        bool operator==(const Cell&) const = default;
     };
-
+    Cell cell_of(const Vec3& p) const;
+    std::uint32_t index(const Cell& c) const { return (c.z * count_.y + c.y) * count_.x + c.x; }
+    template <typename Visit> void for_cells(const Box& box, Visit&& visit) const;
     void choose_cells(const ContactGeometry& geometry);
-    void fill_cells(const ContactGeometry& geometry);
-    void pairs_of_cell(const ContactGeometry& geometry, std::uint32_t cell,
-                       std::vector<SegmentPair>& out) const;
 
-    Cells cells_;
+    Vec3 low_;
+    float inverse_size_ = 1;
+    Cell count_{1, 1, 1};
     std::vector<std::uint32_t> first_entry_; ///< per cell, and one more
     std::vector<std::uint32_t> entries_;     ///< segments, cell after cell
-    std::vector<std::vector<SegmentPair>> chunks_;
-    std::vector<SegmentPair> pairs_;
 };
+
+inline SegmentGrid::Cell SegmentGrid::cell_of(const Vec3& p) const {
+    // Outside the grid the border cells answer: rounding of a corner may fall a little out.
+    const auto along = [this](float x, float low, std::uint32_t count) {
+        const float c = (x - low) * inverse_size_;
+        return c > 0 ? std::min(static_cast<std::uint32_t>(c), count - 1) : 0u;
+    };
+    return {along(p.x, low_.x, count_.x), along(p.y, low_.y, count_.y),
+            along(p.z, low_.z, count_.z)};
+}
+
+template <typename Visit> void SegmentGrid::for_cells(const Box& box, Visit&& visit) const {
+    const Cell low = cell_of(box.low), high = cell_of(box.high);
+    for (std::uint32_t z = low.z; z <= high.z; ++z)
+        for (std::uint32_t y = low.y; y <= high.y; ++y)
+            for (std::uint32_t x = low.x; x <= high.x; ++x)
+                visit(Cell{x, y, z});
+}
+
+template <typename Visit> void SegmentGrid::for_overlapping(const ContactGeometry& geometry,
+                                                            const Box& box, Visit&& visit) const {
+    for_cells(box, [&](const Cell& cell) {
+        const std::uint32_t c = index(cell);
+        for (std::uint32_t e = first_entry_[c]; e < first_entry_[c + 1]; ++e) {
+            const Box& other = geometry.box(entries_[e]);
+            if (!box.overlaps(other))
+                continue;
+            const Vec3 corner{std::max(box.low.x, other.low.x), std::max(box.low.y, other.low.y),
+                              std::max(box.low.z, other.low.z)};
+            if (cell_of(corner) == cell)
+                visit(entries_[e]);
+        }
+    });
+}
 
 } // namespace mane

@@ -29,6 +29,11 @@ Vec3 disc_extent(const Vec3& n, float r) {
 
 float squared_depth(std::span<const HalfLine> half_lines, std::span<const float> radii, float a,
                     float b) {
+    if (radii.size() == 4) { // the paper's four: the signs tell the quadrant
+        const float p = a / std::max(radii[a < 0 ? 2 : 0], kSmallestRadius),
+                    q = b / std::max(radii[b < 0 ? 3 : 1], kSmallestRadius);
+        return p * p + q * q;
+    }
     // The sector of (a, b) is the one in which both coordinates along its two half lines are not
     // negative; the largest smaller coordinate finds it without branches on signs of zeros.
     const std::size_t k_count = radii.size();
@@ -62,6 +67,8 @@ void ContactGeometry::find_segments(const HairView& hair) {
         for (std::uint32_t i = 1; i + 1 < sections; ++i)
             segments_.push_back(first + i);
     }
+    points_.resize(hair.groom.section_count() * (k_ + 1));
+    points_boxes_.resize(hair.groom.section_count());
     boxes_.resize(segments_.size());
     for (std::size_t s = 0; s < sections_.size(); ++s)
         sections_[s].rest_area = area_of({hair.groom.radius.data() + s * k_, k_});
@@ -77,8 +84,14 @@ void ContactGeometry::update(const HairView& hair) {
         c.u = hair.frames.u.vec(slot);
         c.v = hair.frames.v.vec(slot);
         c.normal = hair.frames.normal.vec(slot);
-        for (std::uint32_t k = 0; k < k_; ++k)
-            radii_[s * k_ + k] = hair.state.radius.at(slot, k);
+        Vec3* points = points_.data() + s * (k_ + 1);
+        points[0] = c.x;
+        points_boxes_[s] = {c.x, c.x};
+        for (std::uint32_t k = 0; k < k_; ++k) {
+            const float r = radii_[s * k_ + k] = hair.state.radius.at(slot, k);
+            points[k + 1] = c.x + (c.u * half_lines_[k].cosine + c.v * half_lines_[k].sine) * r;
+            points_boxes_[s].add(points[k + 1]);
+        }
         c.area = area_of(radii(s));
     }
     for (std::size_t i = 0; i < segments_.size(); ++i)
@@ -93,26 +106,12 @@ Box ContactGeometry::box_of(std::uint32_t segment) const {
         const Vec3 extent =
             disc_extent(sections_[end].normal, *std::max_element(r.begin(), r.end())) +
             Vec3{kBoxMargin, kBoxMargin, kBoxMargin};
-        const Vec3 low = x - extent, high = x + extent;
-        if (end == segment) {
-            box = {low, high};
-        } else {
-            box.low = {std::min(box.low.x, low.x), std::min(box.low.y, low.y),
-                       std::min(box.low.z, low.z)};
-            box.high = {std::max(box.high.x, high.x), std::max(box.high.y, high.y),
-                        std::max(box.high.z, high.z)};
-        }
+        if (end == segment)
+            box = {x, x};
+        box.add(x - extent);
+        box.add(x + extent);
     }
     return box;
-}
-
-Vec3 ContactGeometry::half_line_direction(std::uint32_t section, std::uint32_t k) const {
-    const ContactSection& c = sections_[section];
-    return c.u * half_lines_[k].cosine + c.v * half_lines_[k].sine;
-}
-
-Vec3 ContactGeometry::envelope_point(std::uint32_t section, std::uint32_t k) const {
-    return sections_[section].x + half_line_direction(section, k) * radii_[section * k_ + k];
 }
 
 std::optional<PlaceInSegment> ContactGeometry::place(std::size_t segment_index,

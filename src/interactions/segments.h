@@ -2,6 +2,7 @@
 
 #include "model/state.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,6 +13,11 @@ namespace mane {
 struct Box {
     Vec3 low, high;
 
+    /// Grows to hold `p`.
+    void add(const Vec3& p) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
     bool contains(const Vec3& p) const {
         return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z &&
                p.z <= high.z;
@@ -41,6 +47,7 @@ class ContactGeometry {
   public:
     void update(const HairView& hair);
 
+    std::uint32_t section_count() const { return static_cast<std::uint32_t>(sections_.size()); }
     /// First sections of all simulated segments, in order.
     std::span<const std::uint32_t> segments() const { return segments_; }
     const Box& box(std::size_t segment_index) const { return boxes_[segment_index]; }
@@ -50,9 +57,13 @@ class ContactGeometry {
     }
     std::uint32_t envelope_points() const { return k_; }
     const HalfLine& half_line(std::uint32_t k) const { return half_lines_[k]; }
-    Vec3 half_line_direction(std::uint32_t section, std::uint32_t k) const;
-    /// The envelope point (section, k).
-    Vec3 envelope_point(std::uint32_t section, std::uint32_t k) const;
+    /// The points of a section that can be in contact: its skeleton point, then its K envelope
+    /// points.
+    std::span<const Vec3> points(std::uint32_t section) const {
+        return {points_.data() + section * (k_ + 1), k_ + 1};
+    }
+    /// The box of these points.
+    const Box& points_box(std::uint32_t section) const { return points_boxes_[section]; }
 
     /// Where `p` lies between the sections j and j+1 (M14a, M21); empty where it is not between
     /// their planes, or outside their box.
@@ -71,7 +82,8 @@ class ContactGeometry {
     std::vector<std::uint32_t> segments_;
     std::vector<ContactSection> sections_;
     std::vector<float> radii_;
-    std::vector<Box> boxes_;
+    std::vector<Vec3> points_;
+    std::vector<Box> points_boxes_, boxes_;
 };
 
 /// The square of the depth of section coordinates (a, b) in a section with these radii:

@@ -8,7 +8,7 @@
 namespace mane {
 namespace {
 
-constexpr std::size_t kPairsPerChunk = 512;
+constexpr std::size_t kSectionsPerChunk = 128;
 constexpr std::size_t kContactsPerChunk = 1024;
 
 float sine_of_degrees(double degrees) {
@@ -74,101 +74,91 @@ WispDetection::WispDetection(const WispContactDesc& desc)
 
 void WispDetection::detect(const HairView& hair, Threads& threads) {
     geometry_.update(hair);
-    const std::vector<SegmentPair>& pairs = grid_.overlapping_pairs(geometry_, threads);
-    chunks_.resize((pairs.size() + kPairsPerChunk - 1) / kPairsPerChunk);
+    grid_.build(geometry_);
+    const std::size_t sections = geometry_.section_count(), segments = geometry_.segments().size();
+    chunks_.resize((sections + kSectionsPerChunk - 1) / kSectionsPerChunk);
     threads.run(chunks_.size(), [&](std::size_t c) {
         chunks_[c].contacts.clear();
-        chunks_[c].intersecting_pairs = 0;
-        const std::size_t last = std::min(pairs.size(), (c + 1) * kPairsPerChunk);
-        for (std::size_t i = c * kPairsPerChunk; i < last; ++i)
-            test_pair(hair, pairs[i], chunks_[c]);
+        chunks_[c].pairs.clear();
+        const std::size_t first = c * kSectionsPerChunk, last = first + kSectionsPerChunk;
+        for (std::size_t s = first; s < std::min(sections, last); ++s)
+            test_section(hair, static_cast<std::uint32_t>(s), chunks_[c]);
+        for (std::size_t a = first; a < std::min(segments, last); ++a)
+            test_axes(hair, a, chunks_[c]);
     });
 
     std::swap(contacts_, earlier_);
     contacts_.clear();
-    intersecting_pairs_ = 0;
-    for (const Found& found : chunks_) {
+    for (const Found& found : chunks_)
         contacts_.insert(contacts_.end(), found.contacts.begin(), found.contacts.end());
-        intersecting_pairs_ += found.intersecting_pairs;
-    }
     std::stable_sort(contacts_.begin(), contacts_.end(), before);
     classify_all(hair, threads);
+    count_pairs();
 }
 
-void WispDetection::test_pair(const HairView& hair, const SegmentPair& pair, Found& found) const {
-    const std::uint32_t a = geometry_.segments()[pair.a], b = geometry_.segments()[pair.b];
-    const bool same_wisp = hair.layout.wisp_of(a) == hair.layout.wisp_of(b);
-    if (same_wisp && b - a < 2)
-        return; // M22: they share a section
-    const bool a_in_b = test_points(hair, a, pair.b, found);
-    const bool b_in_a = test_points(hair, b, pair.a, found);
-    found.intersecting_pairs += a_in_b || b_in_a;
-    test_axes(pair.a, pair.b, found);
-}
-
-/// The points of both sections of segment `a` in segment `b`. A section between two segments is
-/// tested with both, but becomes a contact only with the one that begins there, unless that one may
-/// not touch `b`.
-bool WispDetection::test_points(const HairView& hair, std::uint32_t a, std::size_t b_index,
-                                Found& found) const {
-    const std::uint32_t b = geometry_.segments()[b_index];
-    const std::uint32_t wisp = hair.layout.wisp_of(a);
-    const bool same_wisp = wisp == hair.layout.wisp_of(b);
-    bool any = false;
-    for (std::uint32_t section : {a, a + 1}) {
-        bool mine = section == a;
-        if (!mine) {
-            const bool is_tip = section + 1 == hair.groom.first_section[wisp + 1];
-            const bool next_touches_b = same_wisp && section + 1 >= b && section <= b + 1;
-            mine = is_tip || next_touches_b;
-        }
-        const auto test = [&](ContactPoint point, const Vec3& p) {
-            const std::optional<PlaceInSegment> place = geometry_.place(b_index, p);
+/// The points of a section in the segments of other wisps, and in those of its own that share no
+/// section with a segment it belongs to (M21, M22).
+void WispDetection::test_section(const HairView& hair, std::uint32_t section, Found& found) const {
+    const std::uint32_t wisp = hair.layout.wisp_of(section), first = hair.groom.first_section[wisp];
+    const std::uint32_t end = hair.groom.first_section[wisp + 1];
+    if (section == first)
+        return; // x₀ is inside the head
+    const bool ends_segment = section >= first + 2, begins_segment = section + 1 < end;
+    const std::span<const Vec3> points = geometry_.points(section);
+    grid_.for_overlapping(geometry_, geometry_.points_box(section), [&](std::size_t index) {
+        const std::uint32_t segment = geometry_.segments()[index];
+        const bool same_wisp = segment >= first && segment < end;
+        // Of the segment before (section − 1) and the one after (section), those that may touch
+        // this one.
+        const bool before_may =
+            ends_segment && !(same_wisp && segment + 2 >= section && segment <= section);
+        const bool after_may =
+            begins_segment && !(same_wisp && segment + 1 >= section && segment <= section + 1);
+        if (!before_may && !after_may)
+            return;
+        bool any = false;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::optional<PlaceInSegment> place = geometry_.place(index, points[i]);
             if (!place || place->depth > 1)
-                return;
+                continue;
             any = true;
-            if (!mine)
-                return;
-            WispContact contact;
-            contact.section = section;
-            contact.point = point;
-            contact.segment = b;
-            contact.s = place->s;
-            contact.density = geometry_.density(b, place->s);
-            found.contacts.push_back(contact);
+            found.contacts.push_back({.section = section,
+                                      .point = {static_cast<std::uint8_t>(i)},
+                                      .segment = segment,
+                                      .s = place->s,
+                                      .density = geometry_.density(segment, place->s)});
+        }
+        if (!any)
+            return;
+        const auto key = [segment](std::uint32_t mine) {
+            return std::uint64_t{std::min(mine, segment)} << 32 | std::max(mine, segment);
         };
-        test({ContactPoint::kSkeleton}, geometry_.section(section).x);
-        for (std::uint32_t k = 0; k < geometry_.envelope_points(); ++k)
-            test(ContactPoint::envelope(k), geometry_.envelope_point(section, k));
-    }
-    return any;
+        if (before_may)
+            found.pairs.push_back(key(section - 1));
+        if (after_may)
+            found.pairs.push_back(key(section));
+    });
+}
+
+bool WispDetection::slender(std::size_t segment_index) const {
+    const std::uint32_t segment = geometry_.segments()[segment_index];
+    float radii = 0;
+    for (std::uint32_t end : {segment, segment + 1})
+        for (float r : geometry_.radii(end))
+            radii += r;
+    const float mean_diameter = radii / static_cast<float>(geometry_.envelope_points());
+    return length(geometry_.section(segment + 1).x - geometry_.section(segment).x) >
+           desc_.axis_contact_ratio * mean_diameter;
 }
 
 /// Ours, beyond the paper's footnote: thin segments can cross without a point of one inside the
-/// other.
-void WispDetection::test_axes(std::size_t a_index, std::size_t b_index, Found& found) const {
-    const std::uint32_t a = geometry_.segments()[a_index], b = geometry_.segments()[b_index];
+/// other. Finds each pair of which one is slender once, from its slender side, or from the first of
+/// two.
+void WispDetection::test_axes(const HairView& hair, std::size_t a_index, Found& found) const {
+    if (!slender(a_index))
+        return;
+    const std::uint32_t a = geometry_.segments()[a_index];
     const Vec3 &a0 = geometry_.section(a).x, &a1 = geometry_.section(a + 1).x;
-    const Vec3 &b0 = geometry_.section(b).x, &b1 = geometry_.section(b + 1).x;
-    const auto slender = [&](std::uint32_t segment, const Vec3& along) {
-        float sum = 0;
-        for (std::uint32_t end : {segment, segment + 1})
-            for (float r : geometry_.radii(end))
-                sum += r;
-        const float mean_diameter = sum / static_cast<float>(geometry_.envelope_points());
-        return length(along) > desc_.axis_contact_ratio * mean_diameter;
-    };
-    if (!slender(a, a1 - a0) && !slender(b, b1 - b0))
-        return;
-
-    // Nearly parallel axes have no one closest place; their points find each other.
-    const Vec3 n = cross(normalized(a1 - a0), normalized(b1 - b0));
-    if (dot(n, n) < sine_fade_ * sine_fade_)
-        return;
-    const ClosestPoints c = closest_points(a0, a1, b0, b1);
-    if (!c.inside)
-        return;
-    const Vec3 gap = (b0 + (b1 - b0) * c.t) - (a0 + (a1 - a0) * c.s);
     const auto reach = [&](std::uint32_t segment, float s, const Vec3& toward) {
         const auto of = [&](std::uint32_t section) {
             const ContactSection& x = geometry_.section(section);
@@ -176,17 +166,42 @@ void WispDetection::test_axes(std::size_t a_index, std::size_t b_index, Found& f
         };
         return of(segment) * (1 - s) + of(segment + 1) * s;
     };
-    const float distance = length(gap);
-    if (distance > reach(a, c.s, gap) + reach(b, c.t, -gap))
-        return;
-    WispContact contact;
-    contact.section = a;
-    contact.point = {ContactPoint::kAxis};
-    contact.along = c.s;
-    contact.segment = b;
-    contact.s = c.t;
-    contact.density = geometry_.density(b, c.t);
-    found.contacts.push_back(contact);
+    grid_.for_overlapping(geometry_, geometry_.box(a_index), [&](std::size_t b_index) {
+        const std::uint32_t b = geometry_.segments()[b_index];
+        if (a == b || (b < a && slender(b_index)))
+            return;
+        if (hair.layout.wisp_of(a) == hair.layout.wisp_of(b) && std::max(a, b) - std::min(a, b) < 2)
+            return;
+        const Vec3 &b0 = geometry_.section(b).x, &b1 = geometry_.section(b + 1).x;
+        // Nearly parallel axes have no one closest place; their points find each other.
+        const Vec3 n = cross(normalized(a1 - a0), normalized(b1 - b0));
+        if (dot(n, n) < sine_fade_ * sine_fade_)
+            return;
+        const ClosestPoints c = closest_points(a0, a1, b0, b1);
+        if (!c.inside)
+            return;
+        const Vec3 gap = (b0 + (b1 - b0) * c.t) - (a0 + (a1 - a0) * c.s);
+        if (length(gap) > reach(a, c.s, gap) + reach(b, c.t, -gap))
+            return;
+        // Told from the earlier segment, whichever was slender.
+        const bool swap = b < a;
+        found.contacts.push_back({.section = swap ? b : a,
+                                  .point = {ContactPoint::kAxis},
+                                  .segment = swap ? a : b,
+                                  .s = swap ? c.s : c.t,
+                                  .along = swap ? c.t : c.s,
+                                  .density = geometry_.density(swap ? a : b, swap ? c.s : c.t)});
+    });
+}
+
+void WispDetection::count_pairs() {
+    pairs_.clear();
+    for (const Found& found : chunks_)
+        pairs_.insert(pairs_.end(), found.pairs.begin(), found.pairs.end());
+    std::sort(pairs_.begin(),
+              pairs_.end()); // only to count each once: nothing depends on the order of equals
+    intersecting_pairs_ =
+        static_cast<std::uint64_t>(std::unique(pairs_.begin(), pairs_.end()) - pairs_.begin());
 }
 
 void WispDetection::classify(const HairView& hair, WispContact& contact,

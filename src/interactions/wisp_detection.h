@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parallel_for.h"
 #include "interactions/grid.h"
 #include "interactions/segments.h"
 #include "interactions/wisp_contact.h"
@@ -24,19 +25,19 @@ class WispDetection {
     /// Pairs of segments of which one has a point inside the other, at the last call: the paper's
     /// intersections, each once.
     std::uint64_t intersecting_pairs() const { return intersecting_pairs_; }
-    const ContactGeometry& geometry() const { return geometry_; }
 
   private:
-    /// What a chunk of candidate pairs found.
+    /// What a chunk of sections found.
     struct Found {
         std::vector<WispContact> contacts;
-        std::uint64_t intersecting_pairs = 0;
+        std::vector<std::uint64_t>
+            pairs; ///< keys of pairs of segments, the same pair perhaps several times
     };
 
-    void test_pair(const HairView& hair, const SegmentPair& pair, Found& found) const;
-    bool test_points(const HairView& hair, std::uint32_t a, std::size_t b_index,
-                     Found& found) const;
-    void test_axes(std::size_t a_index, std::size_t b_index, Found& found) const;
+    void test_section(const HairView& hair, std::uint32_t section, Found& found) const;
+    void test_axes(const HairView& hair, std::size_t a_index, Found& found) const;
+    bool slender(std::size_t segment_index) const;
+    void count_pairs();
     void classify(const HairView& hair, WispContact& contact, const WispContact* earlier) const;
     void classify_all(const HairView& hair, Threads& threads);
 
@@ -46,6 +47,7 @@ class WispDetection {
     SegmentGrid grid_;
     std::vector<Found> chunks_;
     std::vector<WispContact> contacts_, earlier_;
+    std::vector<std::uint64_t> pairs_;
     std::uint64_t intersecting_pairs_ = 0;
 };
 

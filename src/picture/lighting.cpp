@@ -65,11 +65,11 @@ Lighting::Lighting(const Lens& lens, const Curves& strands, float width_scale,
     open_sky_ = visible_sky(coarse, sky_directions());
 }
 
-Vec3 Lighting::reaching(std::size_t i, const Vec3& p, const Vec3& tint, float a, float b) const {
+Vec3 Lighting::reaching(std::size_t i, const Vec3& p, const Vec3& tint, SquarePoint at) const {
     const Light& light = lights_[i];
     const Vec3 side = normalized(cross(light.direction, Vec3{0.31f, 0.27f, 0.91f})),
                other = cross(light.direction, side);
-    const float radius = light.spread * std::sqrt(a), angle = 6.2831853f * b;
+    const float radius = light.spread * std::sqrt(at.x), angle = 6.2831853f * at.y;
     const Vec3 toward = normalized(light.direction + side * (radius * std::cos(angle)) +
                                    other * (radius * std::sin(angle)));
     if (body_rays_.blocked(p + toward * kRayOffset, toward))

@@ -2,6 +2,7 @@
 
 #include "mane/curves.h"
 #include "picture/camera.h"
+#include "picture/pixel_sample.h"
 #include "picture/ray_scene.h"
 #include "picture/shadow_volume.h"
 
@@ -30,8 +31,8 @@ class Lighting {
 
     const Light& light(std::size_t i) const { return lights_[i]; }
     /// Share of light `i` that reaches `p`, per channel; `tint` is what a strand leaves of it, and
-    /// (a, b) in [0, 1)² chooses a point of the light.
-    Vec3 reaching(std::size_t i, const Vec3& p, const Vec3& tint, float a, float b) const;
+    /// `at` chooses a point of the light.
+    Vec3 reaching(std::size_t i, const Vec3& p, const Vec3& tint, SquarePoint at) const;
     /// Light of the sky at `p`, shaded by hair and bodies.
     Vec3 sky(const Vec3& p) const;
 

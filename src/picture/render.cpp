@@ -6,6 +6,7 @@
 #include "picture/camera.h"
 #include "picture/hair_shading.h"
 #include "picture/lighting.h"
+#include "picture/pixel_sample.h"
 #include "picture/ray_scene.h"
 
 #include <algorithm>
@@ -13,6 +14,9 @@
 
 namespace mane {
 namespace {
+
+// What a sample chooses: its point in the pixel, then one of each light.
+enum Choice : std::uint32_t { kPixelChoice, kLightChoice };
 
 const Vec3 kClay{0.52f, 0.37f, 0.30f}, kObstacle{0.42f, 0.45f, 0.48f};
 
@@ -88,18 +92,18 @@ class Scene {
     }
 
     /// Light from the picture's point (x, y) [pixels].
-    Vec3 radiance(float x, float y, const Random& random) const {
+    Vec3 radiance(float x, float y, const PixelSample& sample) const {
         const Vec3 direction = lens_.direction(x, y);
         const RayHit hit = all_.first_hit(lens_.eye(), direction);
         if (!hit)
             return background(y);
         const bool hair = hit.shape >= body_count_;
         if (hair && desc_.layer != PictureLayer::envelope)
-            return strand(hit, -direction, random);
+            return strand(hit, -direction, sample);
         const Vec3 colour = hair             ? wisp_colour(wisp_of_[hit.part])
                             : hit.shape == 0 ? kClay
                                              : kObstacle;
-        return surface(hit, -direction, colour, random);
+        return surface(hit, -direction, colour, sample);
     }
 
   private:
@@ -115,14 +119,14 @@ class Scene {
         return Vec3{0.60f, 0.64f, 0.68f} * (1 - t) + Vec3{0.36f, 0.38f, 0.41f} * t;
     }
 
-    Vec3 strand(const RayHit& hit, const Vec3& viewer, const Random& random) const {
+    Vec3 strand(const RayHit& hit, const Vec3& viewer, const PixelSample& sample) const {
         const bool by_wisp = desc_.colour_by_wisp || desc_.layer == PictureLayer::skeleton;
         const HairMaterial material{by_wisp ? wisp_colour(wisp_of_[hit.part]) : varied(hit.part)};
         const Vec3 sky = lighting_->sky(hit.point);
         Vec3 sum = times(sky, material.colour) * 0.55f;
-        for (std::size_t i = 0; i < Lighting::kLights; ++i) {
-            const Vec3 lit = lighting_->reaching(i, hit.point, material.colour,
-                                                 random.unit(2 + 2 * i), random.unit(3 + 2 * i));
+        for (std::uint32_t i = 0; i < Lighting::kLights; ++i) {
+            const Vec3 lit =
+                lighting_->reaching(i, hit.point, material.colour, sample.point(kLightChoice + i));
             if (lit == Vec3{})
                 continue;
             const Light& light = lighting_->light(i);
@@ -143,11 +147,11 @@ class Scene {
     }
 
     Vec3 surface(const RayHit& hit, const Vec3& viewer, const Vec3& colour,
-                 const Random& random) const {
+                 const PixelSample& sample) const {
         const Vec3 normal = dot(hit.direction, viewer) < 0 ? -hit.direction : hit.direction;
         Vec3 sum =
             times(lighting_->sky(hit.point + normal * 0.015f), colour) * (0.75f + 0.25f * normal.y);
-        for (std::size_t i = 0; i < Lighting::kLights; ++i) {
+        for (std::uint32_t i = 0; i < Lighting::kLights; ++i) {
             const Light& light = lighting_->light(i);
             // Light goes a little round the terminator, as it does under skin.
             const float wrapped = (dot(normal, light.direction) + 0.15f) / 1.15f;
@@ -155,7 +159,7 @@ class Scene {
                 continue;
             const Vec3 lit =
                 lighting_->reaching(i, hit.point + normal * 0.002f, {0.3f, 0.2f, 0.15f},
-                                    random.unit(2 + 2 * i), random.unit(3 + 2 * i));
+                                    sample.point(kLightChoice + i));
             const Vec3 half = normalized(viewer + light.direction);
             const float gloss = 0.04f * std::pow(std::max(dot(normal, half), 0.0f), 24.0f);
             sum += times(times(light.radiance, lit),
@@ -182,19 +186,12 @@ std::uint8_t encoded(float x, float dither) {
     return static_cast<std::uint8_t>(std::clamp(srgb, 0.0f, 1.0f) * 254.999f + dither);
 }
 
-// Samples on a jittered grid, as square as their number allows.
 Vec3 pixel(const Scene& scene, std::uint32_t x, std::uint32_t y, std::uint32_t samples) {
-    const auto across =
-        static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<float>(samples))));
-    const std::uint32_t down = (samples + across - 1) / across;
     Vec3 sum;
     for (std::uint32_t i = 0; i < samples; ++i) {
-        const Random random(x, y, i);
-        const float sx =
-            (static_cast<float>(i % across) + random.unit(0)) / static_cast<float>(across);
-        const float sy =
-            (static_cast<float>(i / across) + random.unit(1)) / static_cast<float>(down);
-        sum += scene.radiance(static_cast<float>(x) + sx, static_cast<float>(y) + sy, random);
+        const PixelSample sample(x, y, i);
+        const SquarePoint at = sample.point(kPixelChoice);
+        sum += scene.radiance(static_cast<float>(x) + at.x, static_cast<float>(y) + at.y, sample);
     }
     return sum / static_cast<float>(samples);
 }

@@ -17,6 +17,9 @@ StrandLayout::StrandLayout(const Groom& groom, std::uint32_t strands,
 
     Wisp next;
     for (std::size_t w = 0; w < groom.wisp_count(); ++w) {
+        if (groom.sections(w) < 3)
+            throw InputError("wisp " + std::to_string(w) + " has " +
+                             std::to_string(groom.sections(w)) + " sections, expected at least 3");
         next.vertices = samples_ * (groom.sections(w) - 1) + 1;
         wisps_.push_back(next);
         before += groom.strands[w];

@@ -135,3 +135,39 @@ TEST_CASE(
         }
     }
 }
+
+TEST_CASE("the whirl turns by 1976°, and the dip's head is upside-down when it should be") {
+    const std::string whirl = shared_data("mocap/55_01_cmu_dance-whirl.bvh");
+    if (!whirl.empty()) {
+        const Clip clip = read_bvh(whirl);
+        const auto motion = clip_motion(clip, desc_of(kTable[1]));
+        BonePose bones[kBustBones];
+        double yaw = 0, last = 0;
+        for (std::uint32_t f = 0; f + 1 < clip.frame_count; ++f) {
+            motion->evaluate(f / 120.0, bones);
+            const Vec3d face = bones[kChestBone].rotation.rotate({0, 0, 1});
+            const double now = std::atan2(face.x, face.z);
+            if (f > 0)
+                yaw += std::remainder(now - last, 2 * 3.14159265358979);
+            last = now;
+        }
+        CHECK(std::fabs(yaw) * 180 / 3.14159265358979 ==
+              doctest::Approx(1976).epsilon(0.03)); // the table's is the hips'
+    }
+    const std::string dip = shared_data("mocap/61_14_scaled_salsa.bvh");
+    if (!dip.empty()) {
+        const auto motion = clip_motion(read_bvh(dip), desc_of(kTable[8]));
+        BonePose bones[kBustBones];
+        std::uint32_t first = 0, last = 0;
+        for (std::uint32_t f = 440; f < 968; ++f) {
+            motion->evaluate((f - 4.0) / 60, bones);
+            if (bones[kHeadBone].rotation.rotate({0, 1, 0}).y >= 0)
+                continue;
+            if (first == 0)
+                first = f;
+            last = f;
+        }
+        CHECK(first == doctest::Approx(486).epsilon(0.005));
+        CHECK(last == doctest::Approx(544).epsilon(0.005));
+    }
+}

@@ -1,4 +1,5 @@
 #include "picture/hair_shading.h"
+#include "picture/pixel_sample.h"
 #include "picture/ray_scene.h"
 #include "picture/shadow_volume.h"
 
@@ -121,4 +122,19 @@ TEST_CASE("hair shading: under a white sky a strand sends back no more than it g
         CHECK(returned < 1);
         before = static_cast<float>(returned);
     }
+}
+
+TEST_CASE(
+    "pixel samples: sixteen leave no quarter of a side empty, and differ from pixel to pixel") {
+    for (std::uint32_t pixel = 0; pixel < 100; ++pixel) {
+        int columns = 0, rows = 0;
+        for (std::uint32_t i = 0; i < 16; ++i) {
+            const SquarePoint p = PixelSample(pixel, 7, i).point(1);
+            columns |= 1 << static_cast<int>(p.x * 4);
+            rows |= 1 << static_cast<int>(p.y * 4);
+        }
+        CHECK(columns == 15); // of 16 independent points, one pixel in 24 would have an empty one
+        CHECK(rows == 15);
+    }
+    CHECK(PixelSample(1, 2, 3).point(0).x != PixelSample(2, 1, 3).point(0).x);
 }

@@ -10,6 +10,9 @@
 namespace mane::reference {
 namespace {
 
+constexpr int kSweeps = 24;
+constexpr double kSettled = 1e-6; // [m/s]
+
 /// A half line with the share that a body point has of it.
 struct Ray {
     std::size_t k;
@@ -105,44 +108,89 @@ Meeting meet(const Wisp& wisp, const SlidingPlane& plane) {
     return {n, plane.anchor_velocity - dot(from_anchor, turning) * n, dot(from_anchor, n)};
 }
 
-/// Drag toward the polygon's velocity. Contacts of one section share it in time: together they slow
-/// it as one would.
+bool on_axis(const BodyPoint& point) {
+    return point.alpha == 0 && point.beta == 0;
+}
+
+/// The planes that drag each section, and each axis between two sections: of those that touch it,
+/// the skeleton point's, then the nearest. Empty where none does.
+struct Touching {
+    std::vector<const SlidingPlane*> section, between;
+
+    Touching(const Wisp& wisp, const std::vector<SlidingPlane>& planes)
+        : section(wisp.sections(), nullptr), between(wisp.sections(), nullptr) {
+        for (const SlidingPlane& plane : planes) {
+            if (meet(wisp, plane).distance >= plane.threshold)
+                continue;
+            const SlidingPlane*& best =
+                (plane.point.along > 0 ? between : section)[plane.point.section];
+            if (!best || goes_before(wisp, plane, *best))
+                best = &plane;
+        }
+    }
+    static bool goes_before(const Wisp& wisp, const SlidingPlane& a, const SlidingPlane& b) {
+        if (on_axis(a.point) != on_axis(b.point))
+            return on_axis(a.point);
+        return meet(wisp, a).distance < meet(wisp, b).distance;
+    }
+};
+
+/// Viscous drag of a section's skeleton point toward the polygon's velocity, e^(−c Δt): once,
+/// whether it touches by one point or by ten.
+void drag_by(Wisp& wisp, const SlidingPlane& plane, double friction_time) {
+    BodyPoint axis;
+    axis.section = plane.point.section;
+    axis.along = plane.point.along;
+    const Meeting m = meet(wisp, plane);
+    const Vec3d relative = velocity_of(wisp, axis) - m.velocity;
+    const Vec3d sliding = relative - dot(relative, m.normal) * m.normal;
+    if (length(sliding) < 1e-6)
+        return;
+    const Vec3d along = normalized(sliding);
+    const double mass = inverse_mass(wisp, axis, along);
+    if (mass > 0)
+        push(wisp, axis, std::expm1(-friction_time) * length(sliding) / mass * along);
+}
+
 void drag(Wisp& wisp, const std::vector<SlidingPlane>& planes, double friction_time) {
-    const auto engaged = [&](const SlidingPlane& plane) {
-        return meet(wisp, plane).distance < plane.threshold;
-    };
-    for (const SlidingPlane& plane : planes) {
-        if (!engaged(plane))
-            continue;
-        const auto together =
-            std::count_if(planes.begin(), planes.end(), [&](const SlidingPlane& other) {
-                return other.point.section == plane.point.section && engaged(other);
-            });
-        const Meeting m = meet(wisp, plane);
-        const Vec3d relative = velocity_of(wisp, plane.point) - m.velocity;
-        const Vec3d sliding = relative - dot(relative, m.normal) * m.normal;
-        if (length(sliding) < 1e-12)
-            continue;
-        const Vec3d along = normalized(sliding);
-        const double mass = inverse_mass(wisp, plane.point, along);
-        if (mass == 0)
-            continue;
-        const double lost =
-            -std::expm1(-friction_time / static_cast<double>(together)) * length(sliding);
-        push(wisp, plane.point, -lost / mass * along);
+    const Touching touching(wisp, planes);
+    for (std::size_t i = 0; i < wisp.sections(); ++i) {
+        if (touching.section[i])
+            drag_by(wisp, *touching.section[i], friction_time);
+        const bool alone =
+            !touching.section[i] && i + 1 < wisp.sections() && !touching.section[i + 1];
+        if (touching.between[i] && alone)
+            drag_by(wisp, *touching.between[i], friction_time);
     }
 }
 
-/// Takes the approaching part. Ours: from afar too, what would pass the threshold within the step.
-void stop_approach(Wisp& wisp, const SlidingPlane& plane, double h) {
+/// Takes the approaching part, from afar too what would pass the threshold within the step (ours).
+/// `given` is what the plane has pushed so far: it may be taken back when the other planes have
+/// made it needless, but a plane never pulls. Returns the change of velocity.
+double stop_approach(Wisp& wisp, const SlidingPlane& plane, double h, double& given) {
     const Meeting m = meet(wisp, plane);
     const double mass = inverse_mass(wisp, plane.point, m.normal);
     if (mass == 0)
-        return;
+        return 0;
     const double closing = dot(velocity_of(wisp, plane.point) - m.velocity, m.normal);
     const double least = -std::max(0.0, m.distance - plane.threshold) / h;
-    if (closing < least)
-        push(wisp, plane.point, (least - closing) / mass * m.normal);
+    const double asked = std::max(0.0, given + (least - closing) / mass);
+    const double change = asked - given;
+    push(wisp, plane.point, change * m.normal);
+    given = asked;
+    return std::abs(change) * mass;
+}
+
+/// A plastic impact of all planes together: of the velocities that no plane forbids, the nearest to
+/// what was, measured by the masses. Found by going through the planes until nothing changes.
+void stop_approaches(Wisp& wisp, const std::vector<SlidingPlane>& planes, double h) {
+    std::vector<double> given(planes.size(), 0.0);
+    double largest = 1;
+    for (int sweep = 0; sweep < kSweeps && largest > kSettled; ++sweep) {
+        largest = 0;
+        for (std::size_t i = 0; i < planes.size(); ++i)
+            largest = std::max(largest, stop_approach(wisp, planes[i], h, given[i]));
+    }
 }
 
 } // namespace
@@ -172,12 +220,7 @@ Vec3d velocity_of(const Wisp& wisp, const BodyPoint& point) {
 void slide(Wisp& wisp, const std::vector<SlidingPlane>& planes, const CharacterContactDesc& desc,
            double h) {
     drag(wisp, planes, static_cast<double>(desc.friction) * h);
-    // One after the other from root to tip, so that a point between two walls ends with no approach
-    // to either. One round does where the planes of a section face the same way; those of creases
-    // settle in four.
-    for (int round = 0; round < 4; ++round)
-        for (const SlidingPlane& plane : planes)
-            stop_approach(wisp, plane, h);
+    stop_approaches(wisp, planes, h);
 }
 
 void shift(Wisp& wisp, const std::vector<Shift>& shifts) {

@@ -1,7 +1,7 @@
 #include "base/random.h"
-#include "model/state.h"
 #include "reference/random_groom.h"
 #include "reference/twin.h"
+#include "step/core_step.h"
 #include "step/kernels.h"
 
 #include "mane/error.h"
@@ -20,83 +20,6 @@
 using namespace mane;
 
 namespace {
-
-constexpr float kStep = 1e-4f;
-
-struct Core {
-    explicit Core(const Groom& g)
-        : groom(g), layout(groom), rest(groom, layout), lines(half_lines(groom.envelope_points)),
-          state(layout.rows(), groom.envelope_points), frames(layout.rows()),
-          root_axis(layout.packets().size(), 3), roots(layout.packets().size()),
-          wind(layout.rows(), 3) {}
-
-    void take(const Frame& frame) {
-        const std::uint32_t k = groom.envelope_points;
-        for (std::uint32_t s = 0; s < groom.section_count(); ++s) {
-            const Slot slot = layout.slot(s);
-            state.position.set(slot, frame.position[s]);
-            state.velocity.set(slot, frame.velocity[s]);
-            for (std::uint32_t e = 0; e < k; ++e) {
-                state.radius.at(slot, e) = frame.radius[s * k + e];
-                state.radius_rate.at(slot, e) = frame.radius_rate[s * k + e];
-            }
-            wind.set(slot, air_at(s));
-        }
-        for (std::size_t p = 0; p < layout.packets().size(); ++p)
-            for (std::uint32_t lane = 0; lane < kLanes; ++lane)
-                if (layout.packets()[p].wisp[lane] != Layout::kNoWisp)
-                    root_axis.set({static_cast<std::uint32_t>(p), lane},
-                                  frame.first_axis[layout.packets()[p].wisp[lane]]);
-    }
-    static Vec3 air_at(std::uint32_t section) {
-        const Random random(99, section);
-        return {random.between(0, -3, 3), random.between(1, -3, 3), random.between(2, -3, 3)};
-    }
-    KernelData data() {
-        return {.layout = layout,
-                .rest = rest,
-                .roots = roots,
-                .half_lines = lines,
-                .state = state,
-                .frames = frames,
-                .root_axis = root_axis,
-                .wind = &wind,
-                .uniform_wind = {},
-                .gravity = {0.3f, -9.81f, 0.1f},
-                .drag = 3,
-                .step = kStep};
-    }
-
-    Groom groom;
-    Layout layout;
-    RestRows rest;
-    std::vector<HalfLine> lines;
-    State state;
-    SectionFrames frames;
-    Rows root_axis;
-    RootMotion roots;
-    Rows wind;
-};
-
-reference::Hair twin_of(const Groom& groom, const Frame& frame) {
-    reference::Hair hair(groom);
-    const std::uint32_t k = groom.envelope_points;
-    for (std::size_t w = 0; w < groom.wisp_count(); ++w) {
-        reference::Wisp& wisp = hair.wisps[w];
-        wisp.u0 = Vec3d(frame.first_axis[w]);
-        for (std::uint32_t i = 0; i < groom.sections(w); ++i) {
-            const std::uint32_t s = groom.first_section[w] + i;
-            wisp.x[i] = Vec3d(frame.position[s]);
-            wisp.v[i] = Vec3d(frame.velocity[s]);
-            wisp.air[i] = Vec3d(Core::air_at(s));
-            for (std::uint32_t e = 0; e < k; ++e) {
-                wisp.r[i][e] = frame.radius[s * k + e];
-                wisp.r_rate[i][e] = frame.radius_rate[s * k + e];
-            }
-        }
-    }
-    return hair;
-}
 
 /// How far rounding of the inputs alone moves the twin's answer: positions and radii of decimetres
 /// have a half unit in the last place of 3e-8 m. The core rounds about as often again in between,
@@ -161,7 +84,7 @@ TEST_CASE("one step of forces equals the twin's, for every lane remainder, K and
             description.points = points;
             const Groom groom = random_groom(description);
             const Frame frame = random_state(description, groom, seed + 1000);
-            Core core(groom);
+            CoreStep core(groom);
             core.take(frame);
             kernels.process_forces(core.data(), 0, core.layout.packets().size());
 
@@ -205,7 +128,7 @@ TEST_CASE("every instruction set gives the same bits, step after step") {
         for (const std::string& set : instruction_sets_here()) {
             const Kernels kernels = kernels_for(set);
             CHECK(std::string(kernels.instruction_set) == set);
-            Core core(groom);
+            CoreStep core(groom);
             core.take(frame);
             for (int i = 0; i < 20; ++i) {
                 kernels.process_forces(core.data(), 0, core.layout.packets().size());

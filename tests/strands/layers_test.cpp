@@ -34,6 +34,36 @@ double volume(const Mesh& mesh) {
 
 } // namespace
 
+TEST_CASE("envelope gauge: depth of known points, for every K") {
+    for (std::uint32_t k = 3; k <= 8; ++k) {
+        HairRecipe recipe;
+        recipe.k = k;
+        recipe.wisps = 1;
+        recipe.bend = recipe.squeeze = recipe.stretch = 0;
+        Hair hair = random_hair(recipe, 1);
+        const Vec3d at =
+            Vec3d(hair.frame.position[2]) * 0.75 + Vec3d(hair.frame.position[3]) * 0.25;
+        const EnvelopeGauge round(hair.groom, hair.frame, 0);
+        for (int i = 0; i < 7; ++i) { // one radius for all half lines: a circle
+            const Vec3d off{0.009 * std::cos(i), 0, 0.009 * std::sin(i)};
+            CHECK(round.depth(at + off, 2.25) ==
+                  doctest::Approx(0.009 / recipe.radius).epsilon(1e-5));
+        }
+        CHECK(round.depth(at, 2.25) == 0);
+        CHECK(std::isinf(round.depth(at + Vec3d{0.003, 0.001, 0.003}, 2.25))); // not in the plane
+
+        for (std::size_t section = 0; section < recipe.sections; ++section)
+            hair.frame.radius[section * k + 1] *= 2;
+        const EnvelopeGauge wide(hair.groom, hair.frame, 0);
+        const double angle = 2 * M_PI / k;
+        const Vec3d half_line = Vec3d{std::cos(angle), 0, std::sin(angle)} * recipe.radius;
+        CHECK(wide.depth(at + half_line, 2.25) == doctest::Approx(0.5).epsilon(1e-5));
+        const double share = 1 / std::sqrt(2 + 2 * std::cos(angle)); // α = β on the arc
+        CHECK(wide.depth(at + (half_line * 2.0 + Vec3d{recipe.radius, 0, 0}) * share, 2.25) ==
+              doctest::Approx(1).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("envelope mesh: closed, and seen from outside counter-clockwise") {
     HairRecipe recipe;
     recipe.k = 5;

@@ -2,7 +2,6 @@
 
 #include "mane/error.h"
 #include "random_hair.h"
-#include "slow_envelope.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +19,13 @@ StrandDesc plain(std::uint32_t count) {
     return desc;
 }
 
-// Largest depth of any vertex in the slow twin's envelope. Positions near 0.5 m: 3e-8 m of
-// rounding, and as much in axes.
+// Largest depth of any vertex in the drawn envelope.
 double largest_depth(const Hair& hair, const StrandDesc& desc, std::uint32_t samples) {
     const StrandShape shape(hair.groom, hair.frame, desc, 5, samples);
     const Curves curves = make_strands(hair.groom, hair.frame, desc, 5, samples);
     double largest = 0;
     for (std::size_t s = 0; s < shape.strand_count(); ++s) {
-        const SlowEnvelope envelope(hair.groom, hair.frame, shape.wisp(s));
+        const EnvelopeGauge envelope(hair.groom, hair.frame, shape.wisp(s));
         for (std::uint32_t v = curves.first_vertex[s]; v < curves.first_vertex[s + 1]; ++v)
             largest = std::max(
                 largest,
@@ -35,6 +33,19 @@ double largest_depth(const Hair& hair, const StrandDesc& desc, std::uint32_t sam
                                double{shape.parameter(s, v - curves.first_vertex[s])}, 2e-6));
     }
     return largest;
+}
+
+// Catmull-Rom as Bézier pieces, by de Casteljau's halving: the textbook's other form.
+template <typename Control> Vec3d bezier_catmull_rom(Control control, double p, std::size_t last) {
+    const std::size_t i = std::min(static_cast<std::size_t>(p), last - 1);
+    const double t = p - static_cast<double>(i);
+    const Vec3d before = control(i == 0 ? 0 : i - 1), a = control(i), b = control(i + 1),
+                after = control(std::min(i + 2, last));
+    Vec3d q[4] = {a, a + (b - before) / 6.0, b - (after - a) / 6.0, b};
+    for (int round = 3; round > 0; --round)
+        for (int j = 0; j < round; ++j)
+            q[j] += (q[j + 1] - q[j]) * t;
+    return q[0];
 }
 
 } // namespace
@@ -77,13 +88,12 @@ TEST_CASE("strands: without jitter they are the Catmull-Rom curves through their
     const Hair hair = random_hair(recipe, 4);
     const std::uint32_t samples = 6, sections = recipe.sections;
     const Curves curves = make_strands(hair.groom, hair.frame, plain(50), 5, samples);
-    const SlowEnvelope twin(hair.groom, hair.frame, 0);
     for (std::size_t s = 0; s < 50; ++s) {
         const auto control = [&](std::size_t i) {
             return Vec3d(curves.position[curves.first_vertex[s] + i * samples]);
         };
         for (std::uint32_t v = 0; v <= samples * (sections - 1); ++v) {
-            const Vec3d expected = twin.curve(double(v) / samples, control);
+            const Vec3d expected = bezier_catmull_rom(control, double(v) / samples, sections - 1);
             CHECK(length(Vec3d(curves.position[curves.first_vertex[s] + v]) - expected) < 1e-6);
         }
     }
@@ -120,7 +130,7 @@ TEST_CASE("strands: a strand keeps its place in its wisp from frame to frame (M1
     const Curves b = make_strands(hair.groom, later.frame, desc, 5, samples);
     const StrandShape shape(hair.groom, hair.frame, desc, 5, samples);
     for (std::size_t s = 0; s < 40; ++s) {
-        const SlowEnvelope before(hair.groom, hair.frame, shape.wisp(s)),
+        const EnvelopeGauge before(hair.groom, hair.frame, shape.wisp(s)),
             after(hair.groom, later.frame, shape.wisp(s));
         for (std::uint32_t i = 0; i < recipe.sections; ++i) {
             const std::uint32_t v = a.first_vertex[s] + i * samples;
@@ -229,4 +239,6 @@ TEST_CASE("strands: what does not fit is said") {
     CHECK_THROWS_WITH_AS(StrandShape(hair.groom, hair.frame, plain(10), 5),
                          "the frame does not fit the groom: it has 143 radii, expected 144",
                          InputError);
+    CHECK_THROWS_WITH_AS(make_strands(straight_hair(2).groom, straight_hair(2).frame, plain(10), 5),
+                         "wisp 0 has 2 sections, expected at least 3", InputError);
 }
