@@ -19,6 +19,7 @@ struct SimulateOptions {
     std::vector<std::string> settings;
     std::string rates;
     std::string statistics;
+    std::string instruction_set;
     unsigned threads = 1;
     bool record = false;
 };

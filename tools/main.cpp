@@ -34,6 +34,8 @@ void add_simulate(CLI::App& app, Run& run) {
         ->add_option("--threads", o.threads,
                      "threads; 0: as many as the machine has; changes no bit of the result")
         ->capture_default_str();
+    command->add_option("--instruction-set", o.instruction_set,
+                        "avx512, avx2, sse4 or scalar instead of the best; changes no bit either");
     command->add_option("--frames", o.frames, "frames to simulate, instead of the scene's");
     command
         ->add_option("--set", o.settings,
