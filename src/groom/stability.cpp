@@ -94,12 +94,16 @@ class StraightSystem {
     void add_masses(double drag) {
         for (std::size_t i = 2; i < sections_; ++i) {
             const double envelope = groom_.envelope_mass[first_ + i];
-            // across the section, where half of the envelope points' mass takes part; along it all
-            // of it does
-            const double skeleton =
+            // Across the section half of the envelope points' mass takes part, along it all of it.
+            // A joint bent by 60° turns its section by 30° from the segments beside it: a segment's
+            // direction then has ¾ of one and ¼ of the other.
+            const double across =
                 groom_.skeleton_mass[first_ + i] + envelope * static_cast<double>(points_) / 2;
+            const double normal =
+                groom_.skeleton_mass[first_ + i] + envelope * static_cast<double>(points_);
+            const double along = 1 / (0.75 / normal + 0.25 / across);
             for (std::size_t f = 0; f < freedoms(); ++f) {
-                const double m = f < 3 ? skeleton : envelope;
+                const double m = f == 2 ? along : f < 2 ? across : envelope;
                 mass_[point(i, f)] = m;
                 term_[drag_term].at(point(i, f), point(i, f)) = drag * m;
             }

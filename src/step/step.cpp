@@ -23,7 +23,7 @@ void detect_wisp_contacts(Simulation& s) {
     s.wisp_detection.detect(s.hair(), s.threads);
     s.wisp_response.engage(s.hair(), s.wisp_detection.contacts());
     ++s.statistics.wisp_detections;
-    s.statistics.intersections += s.wisp_detection.intersecting_pairs();
+    s.statistics.intersections += 2 * s.wisp_detection.intersecting_pairs(); // each from both of its segments
     for (const WispContact& c : s.wisp_detection.contacts())
         ++(c.kind == WispContactKind::friction ? s.statistics.friction_contacts : s.statistics.collision_contacts);
 }

@@ -173,6 +173,6 @@ TEST_CASE(
     CHECK_THROWS_WITH_AS(
         require_stable_step(groom, 3, 0.001),
         doctest::Contains("wisp 1: steps of 1.000000 ms are unstable, mostly by skeleton.strain; "
-                          "the largest stable step is 0.4"),
+                          "the largest stable step is 0.5"),
         InputError);
 }
