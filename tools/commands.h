@@ -19,6 +19,7 @@ struct SimulateOptions {
     std::vector<std::string> settings;
     std::string rates;
     std::string statistics;
+    std::string instruction_set;
     unsigned threads = 1;
     bool record = false;
 };
@@ -37,30 +38,38 @@ struct CompareOptions {
 };
 int compare(const CompareOptions& options);
 
+/// In the order of PictureLayer; `extract` knows the same.
+inline std::vector<std::string> layer_names() {
+    return {"strands", "skeleton", "envelope", "character"};
+}
+/// In the order of View.
+inline std::vector<std::string> view_names() {
+    return {"face", "three-quarter", "profile", "back"};
+}
+
 struct ExtractOptions {
-    std::string file;
-    std::string output;
-    std::uint32_t frame = 0;
+    std::string file, output;
     std::string layer = "strands";
-    std::optional<std::uint32_t> strands; ///< the scene's if not given
-    std::uint32_t samples = 4;            ///< per segment
+    std::size_t frame = 0;
+    std::optional<std::uint32_t> strands;
+    std::uint32_t samples = 4; ///< per segment
     unsigned threads = 0;
 };
 int extract(const ExtractOptions& options);
 
 struct PictureOptions {
-    std::string file;
-    std::string output;
-    std::vector<std::uint32_t> frames = {0}; ///< columns of a contact sheet, if there are several
-    std::vector<std::string> views = {"three-quarter"}; ///< its rows
+    std::string file, output;
     std::string layer = "strands";
-    std::uint32_t size = 640, samples = 16, strands = 30000;
-    double height = 0.70;            ///< [m] seen by a view
-    std::vector<double> eye, target; ///< [m] in the world, instead of a view
+    std::vector<std::size_t> frames{0};
+    std::vector<std::string> views{"three-quarter"};
+    std::vector<std::uint32_t> size{640}; ///< [pixels] width and height, or one for both
+    std::uint32_t samples = 16, strands = 30000;
     bool colour_by_wisp = false;
+    double height = 0.7; ///< [m] seen by a view
+    std::vector<double> eye, target; ///< [m] three numbers each, or none
+    double field_of_view = 24;       ///< [deg]
     unsigned threads = 0;
 };
-/// Only where Embree and libpng were found.
 int picture(const PictureOptions& options);
 
 struct HelpSceneOptions {

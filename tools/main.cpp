@@ -14,9 +14,9 @@ constexpr const char* kExamples = R"(Examples:
   mane simulate scenes/long.toml -o long.mane
   mane simulate scenes/long.toml -o stiff.mane --set skeleton.bending_length=9cm --frames 48
   mane compare long.mane stiff.mane
+  mane extract long.mane --frame 100 -o long.hair
+  mane picture long.mane --frame 0 60 120 --view face profile back -o long.png
   mane info long.mane
-  mane extract long.mane --frame 100 --layer strands --strands 1000000 -o long.hair
-  mane picture long.mane --frame 0,60,120 --view face,profile,back -o long.png
   mane help scene skeleton
 
 Exit codes: 0 done, 1 a comparison or a run failed, 2 bad input, 130 or 143 interrupted.)";
@@ -34,6 +34,8 @@ void add_simulate(CLI::App& app, Run& run) {
         ->add_option("--threads", o.threads,
                      "threads; 0: as many as the machine has; changes no bit of the result")
         ->capture_default_str();
+    command->add_option("--instruction-set", o.instruction_set,
+                        "avx512, avx2, sse4 or scalar instead of the best; changes no bit either");
     command->add_option("--frames", o.frames, "frames to simulate, instead of the scene's");
     command
         ->add_option("--set", o.settings,
@@ -71,21 +73,18 @@ void add_compare(CLI::App& app, Run& run) {
 
 void add_extract(CLI::App& app, Run& run) {
     static ExtractOptions o;
-    CLI::App* command = app.add_subcommand("extract", "A layer of one frame as a file");
+    CLI::App* command = app.add_subcommand("extract", "A layer of one frame, for other programs");
     command->add_option("FILE", o.file, "cache")->required();
-    command
-        ->add_option("-o,--output", o.output,
-                     "file to write: .hair, .ply or .obj for curves, .ply or .obj for meshes")
-        ->required();
+    command->add_option("-o,--output", o.output, "file to write: .hair, .ply, .obj")->required();
     command->add_option("--frame", o.frame, "frame, from 0")->capture_default_str();
-    command->add_option("--layer", o.layer, "strands, skeleton, envelope or character")
+    command->add_option("--layer", o.layer)
+        ->check(CLI::IsMember(layer_names()))
         ->capture_default_str();
-    command->add_option("--strands", o.strands,
-                        "strands on the whole head, instead of the scene's");
-    command->add_option("--samples", o.samples, "points of a strand per segment")
-        ->check(CLI::PositiveNumber)
+    command->add_option("--strands", o.strands, "strands on the head, instead of the scene's");
+    command->add_option("--samples", o.samples, "points per segment")
+        ->check(CLI::Range(1, 64))
         ->capture_default_str();
-    command->add_option("--threads", o.threads, "0: as many as the machine has")
+    command->add_option("--threads", o.threads, "threads; 0: as many as the machine has")
         ->capture_default_str();
     command->callback([&run] { run = [] { return extract(o); }; });
 }
@@ -94,37 +93,40 @@ void add_extract(CLI::App& app, Run& run) {
 void add_picture(CLI::App& app, Run& run) {
     static PictureOptions o;
     CLI::App* command = app.add_subcommand(
-        "picture", "Ray-traced picture of a frame; a contact sheet of several frames and views");
+        "picture", "A quick ray-traced picture; several frames or views make a sheet");
     command->add_option("FILE", o.file, "cache")->required();
     command->add_option("-o,--output", o.output, "picture to write")
         ->required()
-        ->type_name("FILE.png");
-    command->add_option("--frame", o.frames, "frames, from 0: N or N,N,…")
-        ->delimiter(',')
+        ->type_name("OUT.png");
+    command->add_option("--frame", o.frames, "frames, from 0")->capture_default_str();
+    command->add_option("--layer", o.layer)
+        ->check(CLI::IsMember(layer_names()))
         ->capture_default_str();
-    command->add_option("--view", o.views, "face, three-quarter, profile, back, or several")
-        ->delimiter(',')
+    command->add_option("--view", o.views, "from where, around the head")
+        ->check(CLI::IsMember(view_names()))
         ->capture_default_str();
-    command->add_option("--layer", o.layer, "strands, skeleton, envelope or character")
+    command->add_option("--size", o.size, "pixels: width and height, or one for both")
+        ->expected(1, 2)
+        ->check(CLI::Range(1, 16384))
         ->capture_default_str();
-    command->add_option("--size", o.size, "pixels, each way")->capture_default_str();
-    command->add_option("--samples", o.samples, "rays per pixel")->capture_default_str();
-    command->add_option("--strands", o.strands, "strands drawn; fewer are drawn wider")
+    command->add_option("--strands", o.strands, "strands drawn")->capture_default_str();
+    command->add_option("--samples", o.samples, "rays per pixel")
+        ->check(CLI::Range(1, 4096))
         ->capture_default_str();
     command->add_option("--height", o.height, "metres that a view sees")
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
+    command->add_flag("--colour-by-wisp", o.colour_by_wisp, "each wisp in a colour of its own");
     CLI::Option* eye =
-        command->add_option("--eye", o.eye, "camera in the world, instead of a view: x,y,z [m]")
-            ->delimiter(',')
-            ->expected(3);
-    CLI::Option* target = command->add_option("--target", o.target, "what it looks at: x,y,z [m]")
-                              ->delimiter(',')
-                              ->expected(3);
+        command->add_option("--eye", o.eye, "camera [m], instead of --view: x y z")->expected(3);
+    CLI::Option* target =
+        command->add_option("--target", o.target, "what it looks at [m]: x y z")->expected(3);
     eye->needs(target);
     target->needs(eye);
-    command->add_flag("--colour-by-wisp", o.colour_by_wisp, "each wisp in a colour of its own");
-    command->add_option("--threads", o.threads, "0: as many as the machine has")
+    command->add_option("--field-of-view", o.field_of_view, "of that camera [deg]")
+        ->check(CLI::Range(1, 150))
+        ->capture_default_str();
+    command->add_option("--threads", o.threads, "threads; 0: as many as the machine has")
         ->capture_default_str();
     command->callback([&run] { run = [] { return picture(o); }; });
 }

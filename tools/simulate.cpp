@@ -74,7 +74,8 @@ class Run {
         : options_(options), schedule_(scene.simulation.schedule), setup_(setup),
           preroll_(static_cast<std::uint32_t>(std::ceil(schedule_.preroll * schedule_.frame_rate))),
           world_(scene.simulation, setup.groom, setup.bodies,
-                 -static_cast<double>(preroll_) / schedule_.frame_rate, {options.threads, {}}) {}
+                 -static_cast<double>(preroll_) / schedule_.frame_rate,
+                 {options.threads, options.instruction_set}) {}
 
     /// Simulates until the end or a signal.
     void simulate(CacheWriter& cache, const Interrupt& interrupt) {
@@ -145,6 +146,8 @@ void write_statistics(const std::string& file, const std::string& json) {
 int simulate(const SimulateOptions& options) {
     const SceneDesc scene = load_scene(options);
     const RunSetup setup = prepare(scene);
+    for (const std::string& warning : setup.warnings)
+        fmt::print(stderr, "mane: warning: {}\n", warning);
     Run run(options, scene, setup);
     CacheWriter cache(options.output, setup);
     const Interrupt interrupt;

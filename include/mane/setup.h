@@ -15,6 +15,8 @@ struct RunSetup {
     std::string scene; ///< the whole scene as TOML (`write_scene`)
     Groom groom;
     std::vector<Body> bodies; ///< the wearer first
+    std::vector<std::string>
+        warnings; ///< of what can be used but should be known, such as open edges
 };
 
 /// Reads the files that a scene names, makes the bodies with their motions and grows the hair.

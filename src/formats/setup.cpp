@@ -32,11 +32,19 @@ std::shared_ptr<const Motion> make_motion(const MotionDesc& desc) {
     return desc.freeze > 0 ? frozen_motion(std::move(motion), desc.freeze) : motion;
 }
 
+Mesh read_mesh(const std::string& file, double unit, std::vector<std::string>& warnings) {
+    MeshReport report;
+    Mesh mesh = read_obj(file, unit, &report);
+    if (!report.clean())
+        warnings.push_back(file + ": " + report.warning());
+    return mesh;
+}
+
 /// A mesh of the user's follows the head as one piece.
-Body read_wearer(const CharacterDesc& desc) {
+Body read_wearer(const CharacterDesc& desc, std::vector<std::string>& warnings) {
     Body body;
     body.name = desc.mesh;
-    body.mesh = read_obj(desc.mesh, desc.unit);
+    body.mesh = read_mesh(desc.mesh, desc.unit, warnings);
     for (Vec3& v : body.mesh.vertices)
         v += desc.offset;
     body.skin.bones.assign(body.mesh.vertices.size(), {kHeadBone, 0, 0, 0});
@@ -82,11 +90,12 @@ std::vector<WispDesign> lay_hair(const SceneDesc& scene, const Body& wearer) {
     return designs;
 }
 
-Body make_obstacle(const ObstacleDesc& desc, const Body& wearer) {
+Body make_obstacle(const ObstacleDesc& desc, const Body& wearer,
+                   std::vector<std::string>& warnings) {
     Body body;
     body.name = desc.name;
-    body.mesh =
-        desc.shape == ObstacleShape::mesh ? read_obj(desc.mesh, desc.unit) : obstacle_mesh(desc);
+    body.mesh = desc.shape == ObstacleShape::mesh ? read_mesh(desc.mesh, desc.unit, warnings)
+                                                  : obstacle_mesh(desc);
     body.worn = desc.worn;
     const std::vector<MotionKey> keys = obstacle_keys(desc);
     if (!desc.worn) {
@@ -105,14 +114,15 @@ Body make_obstacle(const ObstacleDesc& desc, const Body& wearer) {
 } // namespace
 
 RunSetup prepare(const SceneDesc& scene) {
-    Body wearer = scene.character.mesh.empty() ? make_bust() : read_wearer(scene.character);
-    wearer.motion = make_motion(scene.motion);
     RunSetup setup;
     setup.scene = write_scene(scene);
+    Body wearer =
+        scene.character.mesh.empty() ? make_bust() : read_wearer(scene.character, setup.warnings);
+    wearer.motion = make_motion(scene.motion);
     setup.groom = make_groom(lay_hair(scene, wearer), wearer.mesh, scene.simulation.gravity);
+    setup.bodies.push_back(wearer);
     for (const ObstacleDesc& obstacle : scene.obstacles)
-        setup.bodies.push_back(make_obstacle(obstacle, wearer));
-    setup.bodies.insert(setup.bodies.begin(), std::move(wearer));
+        setup.bodies.push_back(make_obstacle(obstacle, wearer, setup.warnings));
     return setup;
 }
 

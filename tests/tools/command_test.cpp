@@ -12,6 +12,7 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -143,6 +144,36 @@ TEST_CASE("a place that cannot be written is said before the run") {
         MESSAGE("skipped: /dev/full missing");
 }
 
+TEST_CASE("a disk that fills up during a run leaves the frames so far in FILE.part") {
+    Folder folder;
+    // 200 blocks of 512 bytes: the limit on a file's size stands for the disk's.
+    const std::string limited = "cd '" + folder.path.string() +
+                                "' && trap '' XFSZ && ulimit -f 200 && '" MANE_COMMAND
+                                "' simulate small.toml -o a.mane --frames 100000 2>err.txt";
+    const int status = std::system(limited.c_str());
+    CHECK(WEXITSTATUS(status) == 2);
+    CHECK_FALSE(fs::exists(folder / "a.mane"));
+    const std::size_t frames = frames_in(folder / "a.mane.part");
+    CHECK(frames > 0);
+    CHECK(folder.read("err.txt") == "mane: a.mane: cannot be written: File too large; " +
+                                        std::to_string(frames) + " frames are in a.mane.part\n");
+}
+
+TEST_CASE("meshes with open edges are used with a warning that counts them") {
+    Folder folder;
+    folder.write("flag.obj", "v 0 3 0\nv 1 3 0\nv 0 4 0\nf 1 2 3\n");
+    folder.write("flag.toml", folder.read("small.toml") +
+                                  "[[obstacle]]\nshape = \"mesh\"\nmesh = \"flag.obj\"\n");
+    const Result r = mane_command(folder, "simulate flag.toml -o a.mane");
+    CHECK(r.code == 0);
+    CHECK(r.err == "mane: warning: flag.obj: 3 open edges\n");
+    CHECK(CacheReader(folder / "a.mane").setup().bodies.size() == 2);
+    folder.write("none.toml", "[character]\nmesh = \"none.obj\"\n");
+    const Result none = mane_command(folder, "simulate none.toml -o b.mane");
+    CHECK(none.code == 2);
+    CHECK(none.err.starts_with("mane: none.obj"));
+}
+
 TEST_CASE("a run leaves a cache, a table and statistics; info and compare read it") {
     Folder folder;
     const Result run =
@@ -174,6 +205,9 @@ TEST_CASE("a run leaves a cache, a table and statistics; info and compare read i
     CHECK(mane_command(folder, "info a.mane").out.find("8 wisps") != std::string::npos);
 
     REQUIRE(mane_command(folder, "simulate small.toml -o b.mane --threads 2").code == 0);
+    CHECK(mane_command(folder, "compare a.mane b.mane").code == 0);
+    REQUIRE(mane_command(folder, "simulate small.toml -o b.mane --instruction-set scalar").code ==
+            0);
     CHECK(mane_command(folder, "compare a.mane b.mane").code == 0);
     REQUIRE(mane_command(folder, "simulate small.toml -o c.mane --set air.wind=[2,0,0]").code == 0);
     const Result different = mane_command(folder, "compare a.mane c.mane --json");
@@ -231,6 +265,41 @@ TEST_CASE("damaged caches are refused with the place, cut ones are read as far a
               "interrupted; no whole chunk at byte 16)");
     check_bad(folder, "info small.toml", "small.toml: is no .mane file (bad magic)");
     check_bad(folder, "compare a.mane none.mane", "none.mane: cannot be read");
+}
+
+TEST_CASE("layers and pictures of a frame are written; a wrong frame, layer or ending is refused") {
+    Folder folder;
+    REQUIRE(mane_command(folder, "simulate small.toml -o a.mane").code == 0);
+    REQUIRE(mane_command(folder, "extract a.mane --frame 2 --strands 100 -o s.hair").code == 0);
+    CHECK(folder.read("s.hair").starts_with("HAIR"));
+    REQUIRE(mane_command(folder, "extract a.mane --layer skeleton -o k.obj").code == 0);
+    REQUIRE(mane_command(folder, "extract a.mane --layer envelope -o e.ply").code == 0);
+    CHECK(folder.read("e.ply").starts_with("ply"));
+    REQUIRE(mane_command(folder, "extract a.mane --frame 3 --layer character -o c.obj").code == 0);
+    // The character's first vertex is where the cache says, in the world.
+    const CacheReader cache(folder / "a.mane");
+    const Vec3d expected = Vec3d(cache.body_vertices(3, 0)[0]) + cache.frame(3).origin;
+    const std::string obj = folder.read("c.obj");
+    Vec3d first;
+    std::istringstream line(obj.substr(obj.find("\nv ") + 3));
+    line >> first.x >> first.y >> first.z;
+    CHECK(length(first - expected) < 1e-5);
+
+    check_bad(folder, "extract a.mane --frame 4 -o x.hair",
+              "a.mane: has no frame 4, expected one under 4");
+    CHECK(mane_command(folder, "extract a.mane --layer envelope -o e.hair").code == 2);
+    CHECK(mane_command(folder, "extract a.mane --layer scalp -o e.ply").code == 2);
+    CHECK(mane_command(folder, "extract a.mane -o no/where.hair").code == 2);
+    if (mane_command(folder, "--help").out.find("\n  picture") == std::string::npos) {
+        MESSAGE("skipped: built without pictures");
+        return;
+    }
+    REQUIRE(mane_command(folder, "picture a.mane --frame 0 3 --view face back --size 40 30 "
+                                 "--samples 1 --strands 100 -o p.png")
+                .code == 0);
+    CHECK(folder.read("p.png").starts_with("\x89PNG"));
+    check_bad(folder, "picture a.mane --frame 0 9 -o p.png",
+              "a.mane: has no frame 9, expected one under 4");
 }
 
 TEST_CASE("a signal ends a run after a whole frame and leaves a readable file") {
