@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(mane_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/mane)
 
-install(DIRECTORY include/mane DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library)
+install(DIRECTORY include/mane DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT library PATTERN picture.h EXCLUDE) # no library for it
 install(TARGETS mane EXPORT mane_core COMPONENT library)
 install(EXPORT mane_core FILE mane-core.cmake NAMESPACE mane:: DESTINATION ${mane_config_dir} COMPONENT library)
 if(MANE_TOOLS)

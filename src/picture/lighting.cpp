@@ -44,7 +44,7 @@ Lighting::Lighting(const Lens& lens, const Curves& strands, float width_scale,
                   0.12f};
     lights_[1] = {normalized(back * 0.7f + right * 0.9f + up * 0.2f), Vec3{0.85f, 0.92f, 1} * 0.9f,
                   0.25f};
-    lights_[2] = {normalized(back * -0.9f + right * 0.5f + up * 0.8f), Vec3{1, 0.98f, 0.95f} * 2.6f,
+    lights_[2] = {normalized(back * -0.9f + right * 0.5f + up * 0.8f), Vec3{1, 0.98f, 0.95f} * 1.5f,
                   0.12f};
 
     Box box;
