@@ -113,6 +113,9 @@ void add_picture(CLI::App& app, Run& run) {
     command->add_option("--samples", o.samples, "rays per pixel")
         ->check(CLI::Range(1, 4096))
         ->capture_default_str();
+    command->add_option("--height", o.height, "metres that a view sees")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     command->add_flag("--colour-by-wisp", o.colour_by_wisp, "each wisp in a colour of its own");
     CLI::Option* eye =
         command->add_option("--eye", o.eye, "camera [m], instead of --view: x y z")->expected(3);

@@ -23,6 +23,7 @@ PictureDesc describe(const PictureOptions& options) {
     desc.layer = named<PictureLayer>(layer_names(), options.layer);
     desc.strands = options.strands;
     desc.colour_by_wisp = options.colour_by_wisp;
+    desc.frame_height = options.height;
     desc.threads = options.threads;
     if (!options.eye.empty()) {
         const auto point = [](const std::vector<double>& p) { return Vec3d(p[0], p[1], p[2]); };

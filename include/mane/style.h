@@ -38,22 +38,21 @@ struct StyleDesc {
     float nape_length = 0.34f;  ///< [m] length of the lowest wisps
     float crown_length = 0.46f; ///< [m] length of the highest wisps
     float length_variation = 0.06f; ///< [1] largest share by which a wisp is shorter at random
-    float root_radius = 0.012f;     ///< [m] half width of a wisp at its root
+    float root_radius = 0.026f;     ///< [m] half width of a wisp at its root
     float radius = 0.03f;           ///< [m] half width of a wisp where it is widest
-    float tip_radius = 0.012f;      ///< [m] half width of a wisp at its tip
-    float widest = 0.5f;            ///< [1] where along a wisp it is widest
+    float tip_radius = 0.017f;      ///< [m] half width of a wisp at its tip
+    float widest = 0.4f;            ///< [1] where along a wisp it is widest
     float thickness = 0.5f;  ///< [1] depth of a wisp, away from the head, relative to its width
     float hairline = 0.004f; ///< [m] roots keep this distance from the edge of the scalp
-    float parting =
-        0.02f; ///< [m] the parting line's distance from the middle, to the character's left
+    float parting = 0; ///< [m] the parting line's distance from the middle, to the character's left
     float parting_width = 0.004f; ///< [m] no wisp is rooted on the line
     float comb_side = 1;    ///< [1] how much hair is combed away from the parting; 0: not at all
     float comb_back = 0.8f; ///< [1] how much hair in front is combed back from the face
     float front = 0.5f;    ///< [1] hair rooted before this share of the scalp, 0 at its rear, falls
                            ///< over the shoulders to the front
-    float root_angle = 35; ///< [deg] between a wisp and the scalp where it leaves it
-    float drape = 0.03f;   ///< [m] way over which a wisp gives in to the comb and to gravity
-    float volume = 0.02f;  ///< [m] how far the highest wisps stand off the ones below
+    float root_angle = 25; ///< [deg] between a wisp and the scalp where it leaves it
+    float drape = 0.02f;   ///< [m] way over which a wisp gives in to the comb and to gravity
+    float volume = 0.012f; ///< [m] how far the highest wisps stand off the ones below
     float variation = 8;   ///< [deg] largest random turn of a wisp at its root
 };
 

@@ -224,9 +224,10 @@ class Reactor {
     }
 
     /// The drawn surface halfway along the segment that ends at section i, where the strands'
-    /// curves (Catmull-Rom) run outside the chords.
+    /// curves (Catmull-Rom) run outside the chords. Not on the first segment: its first section
+    /// rides the skin with radii of its own, and the second one cannot make up for them.
     void shrink_between(std::uint32_t i, std::uint32_t b) {
-        if (exempt(i, b) || exempt(i - 1, b))
+        if (!WispCopy::simulated(i - 1) || exempt(i - 1, b))
             return;
         const Vec3 centre = halfway(i, {});
         // in a curve of four sections an offset can exceed the largest of its two middle ones by an
@@ -241,8 +242,6 @@ class Reactor {
                 if (share >= 1)
                     continue;
                 for (std::uint32_t section : {i - 1, i}) {
-                    if (!WispCopy::simulated(section))
-                        continue;
                     scale(section, line, share);
                     if (point.beta > 0)
                         scale(section, wisp_.next(line), share);

@@ -40,7 +40,7 @@ Camera camera_for(View view, const HeadPose& head, double frame_height) {
     const Vec3d toward = forward * std::cos(angle) + left * std::sin(angle) + Vec3d{0, 0.08, 0};
     Camera camera;
     camera.target =
-        head.centre - Vec3d{0, 0.20 * frame_height, 0}; // hair hangs: more is below than above
+        head.centre - Vec3d{0, 0.22 * frame_height, 0}; // hair hangs: more is below than above
     camera.eye = camera.target +
                  toward * (0.5 * frame_height / std::tan(camera.field_of_view / 2 * kRadians));
     return camera;

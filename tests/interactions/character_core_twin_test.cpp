@@ -6,6 +6,7 @@
 #include "reference/character.h"
 #include "reference/random_groom.h"
 #include "reference/random_numbers.h"
+#include "step/core_contacts.h"
 #include "step/core_hair.h"
 
 #include <doctest/doctest.h>
@@ -32,23 +33,6 @@ void throw_ball(Surface& surface, const Mesh& ball, reference::RandomNumbers& ra
     }
     surface.reset(start);
     surface.advance(end, kBlock);
-}
-
-/// The planes that the core found, as they are at `kFraction` of the block.
-std::vector<reference::SlidingPlane> planes_of(std::span<const SlidingContact> contacts) {
-    std::vector<reference::SlidingPlane> planes;
-    for (const SlidingContact& c : contacts) {
-        reference::SlidingPlane plane;
-        plane.point = {c.point.section, double{c.point.along}, c.point.k, double{c.point.alpha},
-                       double{c.point.beta}};
-        plane.anchor = Vec3d(c.anchor) + double{kFraction} * Vec3d(c.anchor_change);
-        plane.anchor_velocity = Vec3d(c.anchor_change) / kBlock;
-        plane.normal = Vec3d(c.normal) + double{kFraction} * Vec3d(c.normal_change);
-        plane.normal_rate = Vec3d(c.normal_change) / kBlock;
-        plane.threshold = double{c.threshold};
-        planes.push_back(plane);
-    }
-    return planes;
 }
 
 } // namespace
@@ -83,7 +67,8 @@ TEST_CASE("sliding contacts answer as the twin's, for any K, masses, state and m
         contacts.respond(core.view(), desc, kFraction, kStep, core.state, threads);
         for (std::size_t w = 0; w < groom.wisp_count(); ++w) {
             reference::Wisp& wisp = twin.wisps[w];
-            const std::vector<reference::SlidingPlane> list = planes_of(contacts.of_wisp(w));
+            const std::vector<reference::SlidingPlane> list =
+                planes_of(contacts.of_wisp(w), double{kFraction}, kBlock);
             planes += list.size();
             slide(wisp, list, desc, double{kStep});
             for (std::size_t i = 2; i < wisp.sections(); ++i) {
