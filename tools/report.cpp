@@ -67,6 +67,7 @@ std::string to_json(const Report& r) {
                                      {"interrupted", r.interrupted},
                                      {"simulated_seconds", r.simulated_seconds},
                                      {"wall_seconds", r.wall_seconds},
+                                     {"cpu_seconds", r.cpu_seconds},
                                      {"writing_seconds", r.writing_seconds},
                                      {"real_time_ratio", r.real_time_ratio()},
                                      {"threads", r.threads},
@@ -104,6 +105,7 @@ std::string to_table(const Report& r) {
         "21.0", "12.8");
     row("frames", std::to_string(r.frames), "264", "264", "264");
     row("time", fmt::format("{:.2f} s", r.wall_seconds), "3.2 h", "2.9 h", "2.9 h");
+    row("  of processor", fmt::format("{:.2f} s", r.cpu_seconds), "", "", "");
     row("share of finding contacts", fmt::format("{:.0f} %", 100 * r.detection_share()), "",
         "92–95 %", "");
     row("  of it, between wisps", fmt::format("{:.0f} %", 100 * r.wisp_share_of_detection()), "",

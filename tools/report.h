@@ -12,7 +12,8 @@ struct Report {
     std::uint32_t frames = 0;     ///< stored
     double simulated_seconds = 0; ///< preroll included
     double wall_seconds = 0;      ///< from the end of loading to the last frame on disk
-    double writing_seconds = 0;   ///< of it, for the cache
+    double cpu_seconds = 0; ///< of all threads in that time; less than the wall's on a busy machine
+    double writing_seconds = 0; ///< of the wall's, for the cache
     Statistics statistics;
     std::size_t wisps = 0;
     std::size_t segments = 0; ///< simulated ones, of all wisps

@@ -13,6 +13,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <thread>
 
@@ -80,6 +81,7 @@ class Run {
     /// Simulates until the end or a signal.
     void simulate(CacheWriter& cache, const Interrupt& interrupt) {
         const Clock::time_point start = Clock::now();
+        const std::clock_t cpu_start = std::clock();
         Progress progress(preroll_ + schedule_.frames);
         for (std::uint32_t i = 0; i < preroll_ + schedule_.frames && !interrupt.signal(); ++i) {
             if (i > 0)
@@ -89,6 +91,7 @@ class Run {
             progress.show(i + 1);
         }
         wall_seconds_ = seconds_since(start);
+        cpu_seconds_ = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
     }
 
     Report report(const CacheWriter& cache, bool interrupted) const {
@@ -97,6 +100,7 @@ class Run {
         r.frames = static_cast<std::uint32_t>(cache.frame_count());
         r.simulated_seconds = world_.frame().index / static_cast<double>(schedule_.frame_rate);
         r.wall_seconds = wall_seconds_;
+        r.cpu_seconds = cpu_seconds_;
         r.writing_seconds = writing_seconds_;
         r.statistics = world_.statistics();
         r.wisps = setup_.groom.wisp_count();
@@ -130,7 +134,7 @@ class Run {
     std::uint32_t preroll_; ///< [1] frames before the first stored one
     World world_;
     Statistics before_;
-    double wall_seconds_ = 0, writing_seconds_ = 0;
+    double wall_seconds_ = 0, cpu_seconds_ = 0, writing_seconds_ = 0;
 };
 
 void write_statistics(const std::string& file, const std::string& json) {

@@ -29,7 +29,7 @@ Files named in a scene are found from the scene's folder. L: may change while it
 // Letters, not bytes: "µ" and "²" take two.
 std::size_t width(std::string_view text) {
     return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
 std::string padded(std::string text, std::size_t columns) {

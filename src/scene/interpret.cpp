@@ -5,7 +5,6 @@
 #include "scene/units.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -40,16 +39,15 @@ struct Reader {
     }
 
     double quantity(const std::string& text) const {
+        const std::size_t end = std::min(text.find_first_not_of("+-.0123456789eE"), text.size());
         double x = 0;
-        const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-        if (error != std::errc{})
+        if (!parse_real(text.substr(0, end), x))
             fail();
-        std::string_view unit(rest, static_cast<std::size_t>(text.data() + text.size() - rest));
-        while (!unit.empty() && unit.front() == ' ')
-            unit.remove_prefix(1);
+        const std::string unit =
+            text.substr(std::min(text.find_first_not_of(' ', end), text.size()));
         const std::optional<double> factor = unit_factor(unit, field.unit);
         if (!factor)
-            fail("\"" + std::string(unit) + "\" is no unit for [" + std::string(field.unit) + "]");
+            fail("\"" + unit + "\" is no unit for [" + std::string(field.unit) + "]");
         return x * *factor;
     }
 
@@ -105,7 +103,8 @@ struct Reader {
         const std::string* s = std::get_if<std::string>(&literal.value);
         if (!s)
             fail();
-        if (field.choices.empty() || std::ranges::find(field.choices, *s) != field.choices.end())
+        if (field.choices.empty() ||
+            std::find(field.choices.begin(), field.choices.end(), *s) != field.choices.end())
             return *s;
         fail();
     }

@@ -27,20 +27,27 @@ bool similar(std::size_t distance, std::string_view name) {
     return distance <= std::max<std::size_t>(1, name.size() / 3);
 }
 
+/// The first of `items` with the smallest `distance`.
+template <typename Items, typename Distance>
+auto nearest(const Items& items, const Distance& distance) {
+    return std::min_element(items.begin(), items.end(), [&](const auto& a, const auto& b) {
+        return distance(a) < distance(b);
+    });
+}
+
 } // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string> names) {
-    const auto best = std::ranges::min_element(
-        names, {}, [&](const std::string& n) { return edit_distance(name, n); });
-    return best != names.end() && similar(edit_distance(name, *best), name) ? *best : std::string();
+    const auto distance = [&](const std::string& n) { return edit_distance(name, n); };
+    const auto best = nearest(names, distance);
+    return best != names.end() && similar(distance(*best), name) ? *best : std::string();
 }
 
 std::string suggestion(std::string_view section, std::string_view name) {
     // The right name in another section is as good a guess as one wrong letter in this one.
-    const auto distance = [&](const FieldInfo* f) {
+    const FieldInfo& best = **nearest(all_fields(), [&](const FieldInfo* f) {
         return 2 * edit_distance(name, f->name) + (f->section != section);
-    };
-    const FieldInfo& best = **std::ranges::min_element(all_fields(), {}, distance);
+    });
     if (similar(edit_distance(name, best.name), name))
         return " (did you mean " + best.key() + "?)";
     std::string known;

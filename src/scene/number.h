@@ -1,19 +1,36 @@
 #pragma once
 
-#include <charconv>
-#include <cmath>
+#include <locale>
+#include <sstream>
 #include <string>
 
 namespace mane {
 
+/// Reads all of `text` as a number, whatever the program's locale. False if it is none.
+template <typename Real> bool parse_real(const std::string& text, Real& x) {
+    std::istringstream in(text);
+    in.imbue(std::locale::classic());
+    return static_cast<bool>(in >> x) && in.peek() == std::istringstream::traits_type::eof();
+}
+
 /// The shortest text that reads back as the same number; plain digits where they are few.
+/// With streams, because the library of WebAssembly has no std::to_chars for reals yet.
 template <typename Real> std::string shortest(Real x) {
-    const Real size = std::fabs(x);
+    const Real size = x < 0 ? -x : x;
     const bool plain = size == 0 || (size >= Real(1e-6) && size < Real(1e10));
-    char text[64];
-    const auto end = std::to_chars(text, text + sizeof text, x,
-                                   plain ? std::chars_format::fixed : std::chars_format::general);
-    return {text, end.ptr};
+    std::string text;
+    for (int digits = plain ? 0 : 1; digits < 26; ++digits) {
+        std::ostringstream out;
+        out.imbue(std::locale::classic());
+        if (plain)
+            out.setf(std::ios::fixed, std::ios::floatfield);
+        out.precision(digits);
+        out << x;
+        text = out.str();
+        if (Real back{}; parse_real(text, back) && back == x)
+            break;
+    }
+    return text;
 }
 
 } // namespace mane

@@ -27,14 +27,15 @@ void set_by_key(SceneDesc& scene, const std::string& key, const Value& value) {
 SceneDesc scene_of_wisp(const SceneDesc& scene, std::uint32_t wisp) {
     SceneDesc own = scene;
     for (const WispOverride& o : scene.overrides)
-        if (std::ranges::find(o.wisps, wisp) != o.wisps.end())
+        if (std::find(o.wisps.begin(), o.wisps.end(), wisp) != o.wisps.end())
             for (const auto& [key, value] : o.settings)
                 set_by_key(own, key, value);
     return own;
 }
 
 void apply_rates(SceneDesc& scene, std::string_view preset) {
-    const auto rates = std::ranges::find(kRates, preset, &Rates::name);
+    const auto rates = std::find_if(std::begin(kRates), std::end(kRates),
+                                    [&](const Rates& r) { return r.name == preset; });
     if (rates == std::end(kRates)) {
         std::string names;
         for (const Rates& r : kRates)
