@@ -72,6 +72,12 @@ struct PictureOptions {
 };
 int picture(const PictureOptions& options);
 
+struct CheckOptions {
+    std::string file;
+    bool json = false;
+};
+int check(const CheckOptions& options);
+
 struct HelpSceneOptions {
     std::string section;
     bool schema = false;

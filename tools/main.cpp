@@ -13,13 +13,14 @@ namespace {
 constexpr const char* kExamples = R"(Examples:
   mane simulate scenes/long.toml -o long.mane
   mane simulate scenes/long.toml -o stiff.mane --set skeleton.bending_length=9cm --frames 48
+  mane check long.mane
   mane compare long.mane stiff.mane
   mane extract long.mane --frame 100 -o long.hair
   mane picture long.mane --frame 0 60 120 --view face profile back -o long.png
   mane info long.mane
   mane help scene skeleton
 
-Exit codes: 0 done, 1 a comparison or a run failed, 2 bad input, 130 or 143 interrupted.)";
+Exit codes: 0 done, 1 a check, a comparison or a run failed, 2 bad input, 130 or 143 interrupted.)";
 
 using Run = std::function<int()>;
 
@@ -56,6 +57,15 @@ void add_info(CLI::App& app, Run& run) {
     command->add_option("FILE", o.file, "cache")->required();
     command->add_flag("--json", o.json, "as JSON");
     command->callback([&run] { run = [] { return info(o); }; });
+}
+
+void add_check(CLI::App& app, Run& run) {
+    static CheckOptions o;
+    CLI::App* command = app.add_subcommand(
+        "check", "Judge a run by what is stored of it; exit code 1 if it fails");
+    command->add_option("FILE", o.file, "cache")->required();
+    command->add_flag("--json", o.json, "as JSON");
+    command->callback([&run] { run = [] { return check(o); }; });
 }
 
 void add_compare(CLI::App& app, Run& run) {
@@ -151,6 +161,7 @@ int run_command(int argc, char** argv) {
     Run run;
     add_simulate(app, run);
     add_info(app, run);
+    add_check(app, run);
     add_compare(app, run);
     add_extract(app, run);
 #ifdef MANE_HAS_PICTURE

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mane/character.h"
+#include "mane/check.h"
 #include "mane/desc.h"
 #include "mane/fields.h"
 #include "mane/style.h"
@@ -65,6 +66,7 @@ struct SceneDesc {
     CharacterDesc character;
     MotionDesc motion;
     std::vector<ObstacleDesc> obstacles;
+    CheckDesc check;
     std::vector<WispOverride> overrides;
 };
 

@@ -17,6 +17,11 @@ constexpr FieldUse fixed = FieldUse::fixed, live = FieldUse::live,
                    each = FieldUse::live | FieldUse::per_wisp;
 constexpr Range share{0, 1};
 
+// A scene may ask for more than the judge does, never for less.
+constexpr CheckDesc limit;
+constexpr Range at_most(double bound) { return {0, bound}; }
+constexpr Range at_least(double bound) { return {bound, 1}; }
+
 // clang-format off
 constexpr Section<SceneDesc, &SceneDesc::simulation> simulation{"simulation"};
 constexpr Section<SceneDesc, &SceneDesc::simulation, &SimulationDesc::schedule> schedule{"schedule"};
@@ -30,6 +35,7 @@ constexpr Section<SceneDesc, &SceneDesc::character> wearer{"character"};
 constexpr Section<SceneDesc, &SceneDesc::simulation, &SimulationDesc::character> character{"character"};
 constexpr Section<SceneDesc, &SceneDesc::motion> motion{"motion"};
 constexpr Section<SceneDesc, &SceneDesc::motion, &MotionDesc::drive> drive{"motion"};
+constexpr Section<SceneDesc, &SceneDesc::check> check{"check"};
 constexpr Section<ObstacleDesc> obstacle{"obstacle"};
 constexpr Section<ObstacleKeyDesc> obstacle_key{"obstacle.key"};
 
@@ -210,6 +216,27 @@ std::vector<Field> scene_table() {
             "the character does not move at all"),
         motion.field<&MotionDesc::freeze>("freeze", "s", {0, 100000}, fixed,
             "from this time on the motion comes to rest; 0: never"),
+
+        check.field<&CheckDesc::strands_deep>("strands_deep", "1", at_most(limit.strands_deep), fixed,
+            "share of strand vertices deeper than 2 mm in a body, over the run, that `mane check` lets pass"),
+        check.field<&CheckDesc::strands_deep_frame>("strands_deep_frame", "1", at_most(limit.strands_deep_frame), fixed,
+            "the same in any one frame"),
+        check.field<&CheckDesc::axis_through>("axis_through", "s", at_most(limit.axis_through), fixed,
+            "how long the axis of a segment may stay in a body"),
+        check.field<&CheckDesc::stretch>("stretch", "1", at_most(limit.stretch), fixed,
+            "how much longer than at rest a segment of a straight style may get"),
+        check.field<&CheckDesc::area>("area", "1", at_least(limit.area), fixed,
+            "how much of their designed area all sections of a frame must keep"),
+        check.field<&CheckDesc::drawn_envelope>("drawn_envelope", "1", at_most(limit.drawn_envelope), fixed,
+            "how far a strand may leave its wisp, in local radii"),
+        check.field<&CheckDesc::reach>("reach", "1", at_most(limit.reach), fixed,
+            "how far a tip may be from its root, in lengths of the wisp"),
+        check.field<&CheckDesc::rest_speed>("rest_speed", "m/s", at_most(limit.rest_speed), fixed,
+            "how fast hair may be from 3 s after the motion stopped"),
+        check.field<&CheckDesc::still_speed>("still_speed", "m/s", at_most(limit.still_speed), fixed,
+            "how fast hair may be from 6 s after the motion stopped"),
+        check.field<&CheckDesc::rest_jitter>("rest_jitter", "m/s", at_most(limit.rest_jitter), fixed,
+            "motion above 10 Hz that may be left from 3 s after the motion stopped"),
     };
 }
 

@@ -55,20 +55,28 @@ struct Place {
 };
 /// Where the members of each struct stand in a scene file.
 const std::map<std::string, Place> kPlaces = {
-    {"SimulationDesc", {"desc.h", "simulation"}}, {"ScheduleDesc", {"desc.h", "schedule"}},
-    {"SkeletonDesc", {"desc.h", "skeleton"}},     {"EnvelopeDesc", {"desc.h", "envelope"}},
-    {"StrandDesc", {"desc.h", "strands"}},        {"AirDesc", {"desc.h", "air"}},
-    {"WispContactDesc", {"desc.h", "wisps"}},     {"CharacterContactDesc", {"desc.h", "character"}},
-    {"StyleDesc", {"style.h", "style"}},          {"CharacterDesc", {"scene.h", "character"}},
-    {"MotionDesc", {"scene.h", "motion"}},        {"ClipMotionDesc", {"character.h", "motion"}},
-    {"ObstacleDesc", {"scene.h", "obstacle"}},    {"ObstacleKeyDesc", {"scene.h", "obstacle.key"}},
+    {"SimulationDesc", {"desc.h", "simulation"}},
+    {"ScheduleDesc", {"desc.h", "schedule"}},
+    {"SkeletonDesc", {"desc.h", "skeleton"}},
+    {"EnvelopeDesc", {"desc.h", "envelope"}},
+    {"StrandDesc", {"desc.h", "strands"}},
+    {"AirDesc", {"desc.h", "air"}},
+    {"WispContactDesc", {"desc.h", "wisps"}},
+    {"CharacterContactDesc", {"desc.h", "character"}},
+    {"StyleDesc", {"style.h", "style"}},
+    {"CharacterDesc", {"scene.h", "character"}},
+    {"MotionDesc", {"scene.h", "motion"}},
+    {"ClipMotionDesc", {"character.h", "motion"}},
+    {"CheckDesc", {"check.h", "check"}},
+    {"ObstacleDesc", {"scene.h", "obstacle"}},
+    {"ObstacleKeyDesc", {"scene.h", "obstacle.key"}},
 };
 
 } // namespace
 
 TEST_CASE("every parameter is in the table, with the unit of its comment, and nothing else is") {
     std::set<std::string> found;
-    for (const char* header : {"desc.h", "style.h", "character.h", "scene.h"})
+    for (const char* header : {"desc.h", "style.h", "character.h", "check.h", "scene.h"})
         for (const Declared& d : declared_fields(header)) {
             CAPTURE(d.structure);
             CAPTURE(d.name);
