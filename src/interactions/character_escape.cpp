@@ -12,9 +12,9 @@ constexpr double kFar = 1e3; // [m] more than any body
 
 } // namespace
 
-bool Escape::inside(const Vec3& p, std::uint64_t exempt) const {
+bool Escape::inside(const Vec3& p, std::span<const std::uint8_t> exempt) const {
     for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
-        if (!(exempt >> b & 1) && inside(p, b))
+        if (!exempt[b] && inside(p, b))
             return true;
     }
     return false;

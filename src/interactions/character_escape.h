@@ -14,8 +14,8 @@ class Escape {
     Escape(std::span<const ContactBody> bodies, double push_out)
         : bodies_(bodies), push_out_(push_out) {}
 
-    /// Whether `p` is inside any body that `exempt` does not name.
-    bool inside(const Vec3& p, std::uint64_t exempt) const;
+    /// Whether `p` is inside any body whose entry of `exempt` is 0.
+    bool inside(const Vec3& p, std::span<const std::uint8_t> exempt) const;
     /// Whether `p` is inside body `b`.
     bool inside(const Vec3& p, std::uint32_t b) const { return pose(b).inside(Vec3d(p)); }
 

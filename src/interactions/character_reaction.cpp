@@ -21,7 +21,7 @@ class Reactor {
     Reactor(WispCopy& wisp, std::span<const ContactBody> bodies,
             std::span<const CarriedPoint> carried, double push_out)
         : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(bodies, push_out),
-          exempt_(wisp.sections(), 0), moved_(wisp.sections(), false) {}
+          exempt_(wisp.sections() * bodies.size(), 0), moved_(wisp.sections(), false) {}
 
     std::uint64_t run() {
         find_exempt();
@@ -42,17 +42,22 @@ class Reactor {
     bool moved(std::uint32_t section) const { return moved_[section]; }
 
   private:
-    /// The bodies that leave a section alone, one bit each: worn ones, from the root to the first
-    /// point outside.
+    /// Worn bodies leave the sections from the root to the first point outside alone.
     void find_exempt() {
         for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
             if (!bodies_[b].worn)
                 continue;
             for (std::uint32_t i = 1; i < wisp_.sections() && escape_.inside(wisp_.x[i], b); ++i)
-                exempt_[i] |= std::uint64_t{1} << b;
+                exempt_[i * bodies_.size() + b] = 1;
         }
     }
-    bool exempt(std::uint32_t i, std::uint32_t b) const { return exempt_[i] >> b & 1; }
+    bool exempt(std::uint32_t i, std::uint32_t b) const {
+        return exempt_[i * bodies_.size() + b] != 0;
+    }
+    /// Per body, whether it leaves section i alone.
+    std::span<const std::uint8_t> exempt(std::uint32_t i) const {
+        return std::span(exempt_).subspan(i * bodies_.size(), bodies_.size());
+    }
 
     void put(std::uint32_t i, const Vec3& position) {
         wisp_.x[i] = position;
@@ -68,7 +73,7 @@ class Reactor {
             if (!in)
                 return;
         }
-        if (escape_.inside(wisp_.x[i], exempt_[i]))
+        if (escape_.inside(wisp_.x[i], exempt(i)))
             retreat(i);
     }
 
@@ -114,7 +119,7 @@ class Reactor {
     void put_best(std::uint32_t i, std::uint32_t b, std::span<const Vec3> ways) {
         const Vec3* best = nullptr;
         for (const Vec3& way : ways) {
-            if (escape_.inside(way, exempt_[i]))
+            if (escape_.inside(way, exempt(i)))
                 continue;
             if (!best)
                 best = &way;
@@ -142,7 +147,7 @@ class Reactor {
                 at = std::min(at, entry->at);
         }
         Vec3 back = wisp_.x[i];
-        for (int halving = 0; halving < 24 && escape_.inside(back, exempt_[i]); ++halving) {
+        for (int halving = 0; halving < 24 && escape_.inside(back, exempt(i)); ++halving) {
             at /= 2;
             back = from + way * static_cast<float>(at);
         }
@@ -190,7 +195,7 @@ class Reactor {
     }
 
     bool may_stand(std::uint32_t i, const Vec3& position) {
-        if (escape_.inside(position, exempt_[i]))
+        if (escape_.inside(position, exempt(i)))
             return false;
         for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
             // no way through a part of a body, for the point or for the axis behind it
@@ -300,7 +305,7 @@ class Reactor {
     std::span<const ContactBody> bodies_;
     std::span<const CarriedPoint> carried_;
     Escape escape_;
-    std::vector<std::uint64_t> exempt_;
+    std::vector<std::uint8_t> exempt_; // sections × bodies
     std::vector<bool> moved_;
     std::uint64_t reactions_ = 0;
 };

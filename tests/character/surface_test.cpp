@@ -92,6 +92,13 @@ void check_queries(const Case& c, std::size_t count) {
         CHECK(std::sqrt(nearest->closest.squared) == doctest::Approx(distance).epsilon(1e-9));
         CHECK(length(p - nearest->closest.point) == doctest::Approx(distance).epsilon(1e-9));
         CHECK(twin.distance(nearest->triangle, p) == doctest::Approx(distance).epsilon(1e-9));
+        // a guess, good or bad, changes nothing
+        for (std::uint32_t guess : {0u, nearest->triangle, 1000000u}) {
+            const auto again = posed.nearest(p, 1, {}, guess);
+            REQUIRE(again);
+            CHECK(again->triangle == nearest->triangle);
+            CHECK(again->closest.squared == nearest->closest.squared);
+        }
         CHECK_FALSE(posed.nearest(p, distance * 0.999));
 
         const double radius = distance + 0.02;
