@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <initializer_list>
 
 namespace mane {
 namespace {
@@ -99,9 +100,13 @@ double exponential(double x) {
     const double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
     const double n = std::floor(x / 0.69314718055994530942 + 0.5);
     const double r = (x - n * ln2_high) - n * ln2_low; // |r| ≤ ln 2 / 2
-    double p = 1.0;
-    for (int k = 15; k >= 1; --k)
-        p = 1.0 + p * r / k;
+    // Taylor's series, its coefficients folded by the compiler: a division per term would take five
+    // times as long.
+    double p = 1.0 / 1307674368000.0;
+    for (double c : {1.0 / 87178291200.0, 1.0 / 6227020800.0, 1.0 / 479001600.0, 1.0 / 39916800.0,
+                     1.0 / 3628800.0, 1.0 / 362880.0, 1.0 / 40320.0, 1.0 / 5040.0, 1.0 / 720.0,
+                     1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0})
+        p = p * r + c;
     return std::ldexp(p, static_cast<int>(n));
 }
 

@@ -8,10 +8,12 @@
 namespace mane {
 namespace {
 
-Vec3 change_of(const HairView& hair, const WispContact& contact, const WispContactDesc& desc, float friction_time) {
+Vec3 change_of(const HairView& hair, const WispContact& contact, const WispContactDesc& desc,
+               float friction_time) {
     const ContactSide p = point_side(hair, contact), s = segment_side(hair, contact);
     const Vec3 v = p.velocity - s.velocity;
-    if (contact.kind == WispContactKind::collision) return v * -0.5f;
+    if (contact.kind == WispContactKind::collision)
+        return v * -0.5f;
     const Vec3 bare = cross(p.direction, s.direction), n = normalized(bare);
     const float drag = desc.friction * contact.density * friction_time;
     return bare * (-0.5f * dot(v, bare)) - (v - n * dot(v, n)) * drag;
@@ -19,13 +21,15 @@ Vec3 change_of(const HairView& hair, const WispContact& contact, const WispConta
 
 } // namespace
 
-void respond_literally(const HairView& hair, std::span<const WispContact> contacts, const WispContactDesc& desc,
-                       float friction_time, State& state) {
+void respond_literally(const HairView& hair, std::span<const WispContact> contacts,
+                       const WispContactDesc& desc, float friction_time, State& state) {
     std::vector<Vec3> changes(contacts.size()); // all from the velocities before
-    for (std::size_t i = 0; i < contacts.size(); ++i) changes[i] = change_of(hair, contacts[i], desc, friction_time);
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        changes[i] = change_of(hair, contacts[i], desc, friction_time);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const WispContact& c = contacts[i];
-        if (c.point.is_axis() || !hair.layout.simulated(c.section)) continue;
+        if (c.point.is_axis() || !hair.layout.simulated(c.section))
+            continue;
         const Slot slot = hair.layout.slot(c.section);
         if (c.point.is_envelope()) {
             const Vec3 d = half_line_direction(hair, slot, c.point.k());

@@ -70,6 +70,8 @@ void ContactGeometry::find_segments(const HairView& hair) {
     points_.resize(hair.groom.section_count() * (k_ + 1));
     points_boxes_.resize(hair.groom.section_count());
     boxes_.resize(segments_.size());
+    directions_.resize(segments_.size());
+    slenderness_.resize(segments_.size());
     for (std::size_t s = 0; s < sections_.size(); ++s)
         sections_[s].rest_area = area_of({hair.groom.radius.data() + s * k_, k_});
 }
@@ -77,25 +79,41 @@ void ContactGeometry::find_segments(const HairView& hair) {
 void ContactGeometry::update(const HairView& hair) {
     if (sections_.empty())
         find_segments(hair);
-    for (std::uint32_t s = 0; s < sections_.size(); ++s) {
-        const Slot slot = hair.layout.slot(s);
-        ContactSection& c = sections_[s];
-        c.x = hair.state.position.vec(slot);
-        c.u = hair.frames.u.vec(slot);
-        c.v = hair.frames.v.vec(slot);
-        c.normal = hair.frames.normal.vec(slot);
-        Vec3* points = points_.data() + s * (k_ + 1);
-        points[0] = c.x;
-        points_boxes_[s] = {c.x, c.x};
-        for (std::uint32_t k = 0; k < k_; ++k) {
-            const float r = radii_[s * k_ + k] = hair.state.radius.at(slot, k);
-            points[k + 1] = c.x + (c.u * half_lines_[k].cosine + c.v * half_lines_[k].sine) * r;
-            points_boxes_[s].add(points[k + 1]);
-        }
-        c.area = area_of(radii(s));
-    }
+    for (std::uint32_t s = 0; s < sections_.size(); ++s)
+        update_section(hair, s);
     for (std::size_t i = 0; i < segments_.size(); ++i)
-        boxes_[i] = box_of(segments_[i]);
+        update_segment(i);
+}
+
+void ContactGeometry::update_section(const HairView& hair, std::uint32_t section) {
+    const Slot slot = hair.layout.slot(section);
+    ContactSection& c = sections_[section];
+    c.x = hair.state.position.vec(slot);
+    c.u = hair.frames.u.vec(slot);
+    c.v = hair.frames.v.vec(slot);
+    c.normal = hair.frames.normal.vec(slot);
+    Vec3* points = points_.data() + section * (k_ + 1);
+    points[0] = c.x;
+    points_boxes_[section] = {c.x, c.x};
+    for (std::uint32_t k = 0; k < k_; ++k) {
+        const float r = radii_[section * k_ + k] = hair.state.radius.at(slot, k);
+        points[k + 1] = c.x + (c.u * half_lines_[k].cosine + c.v * half_lines_[k].sine) * r;
+        points_boxes_[section].add(points[k + 1]);
+    }
+    c.area = area_of(radii(section));
+}
+
+void ContactGeometry::update_segment(std::size_t index) {
+    const std::uint32_t segment = segments_[index];
+    boxes_[index] = box_of(segment);
+    const Vec3 axis = sections_[segment + 1].x - sections_[segment].x;
+    directions_[index] = normalized(axis);
+    float radii_sum = 0;
+    for (std::uint32_t end : {segment, segment + 1})
+        for (float r : radii(end))
+            radii_sum += r;
+    slenderness_[index] =
+        length(axis) * static_cast<float>(k_) / std::max(radii_sum, kSmallestRadius);
 }
 
 Box ContactGeometry::box_of(std::uint32_t segment) const {

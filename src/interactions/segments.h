@@ -51,6 +51,9 @@ class ContactGeometry {
     /// First sections of all simulated segments, in order.
     std::span<const std::uint32_t> segments() const { return segments_; }
     const Box& box(std::size_t segment_index) const { return boxes_[segment_index]; }
+    /// Unit direction of a segment's axis, and its length in mean diameters.
+    const Vec3& direction(std::size_t segment_index) const { return directions_[segment_index]; }
+    float slenderness(std::size_t segment_index) const { return slenderness_[segment_index]; }
     const ContactSection& section(std::uint32_t s) const { return sections_[s]; }
     std::span<const float> radii(std::uint32_t section) const {
         return {radii_.data() + section * k_, k_};
@@ -75,6 +78,8 @@ class ContactGeometry {
 
   private:
     void find_segments(const HairView& hair);
+    void update_section(const HairView& hair, std::uint32_t section);
+    void update_segment(std::size_t index);
     Box box_of(std::uint32_t segment) const;
 
     std::uint32_t k_ = 0;
@@ -82,7 +87,8 @@ class ContactGeometry {
     std::vector<std::uint32_t> segments_;
     std::vector<ContactSection> sections_;
     std::vector<float> radii_;
-    std::vector<Vec3> points_;
+    std::vector<Vec3> points_, directions_;
+    std::vector<float> slenderness_;
     std::vector<Box> points_boxes_, boxes_;
 };
 

@@ -141,14 +141,7 @@ void WispDetection::test_section(const HairView& hair, std::uint32_t section, Fo
 }
 
 bool WispDetection::slender(std::size_t segment_index) const {
-    const std::uint32_t segment = geometry_.segments()[segment_index];
-    float radii = 0;
-    for (std::uint32_t end : {segment, segment + 1})
-        for (float r : geometry_.radii(end))
-            radii += r;
-    const float mean_diameter = radii / static_cast<float>(geometry_.envelope_points());
-    return length(geometry_.section(segment + 1).x - geometry_.section(segment).x) >
-           desc_.axis_contact_ratio * mean_diameter;
+    return geometry_.slenderness(segment_index) > desc_.axis_contact_ratio;
 }
 
 /// Ours, beyond the paper's footnote: thin segments can cross without a point of one inside the
@@ -174,7 +167,7 @@ void WispDetection::test_axes(const HairView& hair, std::size_t a_index, Found& 
             return;
         const Vec3 &b0 = geometry_.section(b).x, &b1 = geometry_.section(b + 1).x;
         // Nearly parallel axes have no one closest place; their points find each other.
-        const Vec3 n = cross(normalized(a1 - a0), normalized(b1 - b0));
+        const Vec3 n = cross(geometry_.direction(a_index), geometry_.direction(b_index));
         if (dot(n, n) < sine_fade_ * sine_fade_)
             return;
         const ClosestPoints c = closest_points(a0, a1, b0, b1);

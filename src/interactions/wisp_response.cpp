@@ -31,8 +31,9 @@ Participants participants(const WispContact& c, const Layout& layout) {
     Participants p;
     const auto add_ends = [&](std::uint32_t segment, float s, float sign) {
         p.add({segment, sign * (1 - s), (1 - s) * (1 - s), skeleton});
-        // Next to an end that the head holds, a contact at small s would fling the other end at 1/s of its velocity: there the
-        // weight counts once. That is a viscosity in series, so energy still falls.
+        // Next to an end that the head holds, a contact at small s would fling the other end at 1/s
+        // of its velocity: there the weight counts once. That is a viscosity in series, so energy
+        // still falls.
         p.add({segment + 1, sign * s, layout.simulated(segment) ? s * s : s, skeleton});
     };
     if (c.point.is_axis())
@@ -129,7 +130,8 @@ Vec3 WispResponse::impulse(const HairView& hair, const Set& set, const WispConta
             w += Symmetric3::outer(mass.normal, mass.extra * scale);
         }
     }
-    if (!(w.trace() > 0)) return {}; // all of it is held by the head
+    if (!(w.trace() > 0))
+        return {}; // all of it is held by the head
     const ContactSide p = point_side(hair, contact), s = segment_side(hair, contact);
     const Vec3 approach = s.velocity - p.velocity;
     if (contact.kind == WispContactKind::friction) {
