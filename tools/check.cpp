@@ -27,6 +27,8 @@ const char* name(Verdict verdict) {
 
 std::string describe(const Offender& worst) {
     std::string text = fmt::format("frame {}", worst.frame);
+    if (worst.point)
+        text = fmt::format("point {}, {}", *worst.point, text);
     if (worst.section)
         text = fmt::format("section {}, {}", *worst.section, text);
     if (worst.wisp)
@@ -39,12 +41,12 @@ std::string quantity(double value, const std::string& unit) {
 }
 
 void print_text(const CheckReport& report) {
-    fmt::print("{:20} {:>14} {:>16}  {:10}  {:32}  {}\n", "criterion", "value", "bound", "verdict",
+    fmt::print("{:20} {:>14} {:>16}  {:10}  {:42}  {}\n", "criterion", "value", "bound", "verdict",
                "worst", "meaning");
     for (const Criterion& c : report.criteria) {
         const bool judged = c.verdict != Verdict::not_judged;
         const char* sense = c.sense == Sense::at_most ? "≤" : "≥";
-        fmt::print("{:20} {:>14} {:>16}  {:10}  {:32}  {}{}\n", c.name,
+        fmt::print("{:20} {:>14} {:>16}  {:10}  {:42}  {}{}\n", c.name,
                    judged || c.worst ? quantity(c.value, c.unit) : "",
                    judged ? fmt::format("{} {}", sense, quantity(c.bound, c.unit)) : "",
                    name(c.verdict), c.worst ? describe(*c.worst) : "", c.meaning,
@@ -64,6 +66,8 @@ Json describe(const Criterion& c) {
             worst["wisp"] = *c.worst->wisp;
         if (c.worst->section)
             worst["section"] = *c.worst->section;
+        if (c.worst->point)
+            worst["point"] = *c.worst->point;
         worst["frame"] = c.worst->frame;
     }
     const bool judged = c.verdict != Verdict::not_judged;

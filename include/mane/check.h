@@ -33,9 +33,10 @@ inline constexpr double kDeep = 0.002;
 
 /// Where a criterion is met worst.
 struct Offender {
-    std::optional<std::uint32_t> wisp;
-    std::optional<std::uint32_t> section; ///< in its wisp, 0 is x₀
-    std::uint32_t frame = 0;
+    std::optional<std::uint32_t> wisp = {};
+    std::optional<std::uint32_t> section = {}; ///< in its wisp, 0 is x₀
+    std::optional<std::uint32_t> point = {};   ///< envelope point, where it is one
+    std::uint32_t frame = 0;                   ///< in the file, from 0
 };
 
 enum class Verdict : std::uint8_t {

@@ -54,7 +54,7 @@ struct FiniteCount {
             return true;
         ++frames;
         if (!first)
-            first = bad ? offender(run.groom, *bad, number) : Offender{{}, {}, number};
+            first = bad ? offender(run.groom, *bad, number) : Offender{.frame = number};
         return false;
     }
     Criterion answer() const {

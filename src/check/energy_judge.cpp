@@ -29,7 +29,7 @@ class EnergyJudge final : public Judge {
                 energy += kinetic_energy(view, s);
                 fastest.see(length(view.frame.velocity[s]), offender(run_.groom, s, view.number));
             }
-        if (largest_.see(energy, {{}, {}, view.number}))
+        if (largest_.see(energy, {.frame = view.number}))
             fastest_ = fastest.where;
         if (run_.stop && view.time >= *run_.stop)
             see_after_stop(view, energy, fastest.where);

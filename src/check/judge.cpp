@@ -17,7 +17,7 @@ Criterion asked(const Question& q) {
 
 Offender offender(const Groom& groom, std::size_t section, std::uint32_t frame) {
     const std::uint32_t wisp = wisp_of(groom, section);
-    return {wisp, static_cast<std::uint32_t>(section) - groom.first_section[wisp], frame};
+    return {wisp, static_cast<std::uint32_t>(section) - groom.first_section[wisp], {}, frame};
 }
 
 Criterion answered(const Question& question, double value, std::optional<Offender> worst,

@@ -1,6 +1,5 @@
 #include "check/judge.h"
 
-#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <numbers>
@@ -112,10 +111,11 @@ class RestJudge final : public Judge {
 
     void see_speed(const FrameView& view, Largest& largest) const {
         for_simulated([&](std::size_t s) {
-            const Offender at = offender(run_.groom, s, view.number);
+            Offender at = offender(run_.groom, s, view.number);
             const Vec3d v(view.frame.velocity[s]);
             largest.see(length(v), at);
             for (std::uint32_t k = 0; k < view.hair.points(); ++k) {
+                at.point = k;
                 const double rate = view.frame.radius_rate[s * view.hair.points() + k];
                 largest.see(length(v + view.hair.half_line(s, k) * rate), at);
             }
@@ -140,12 +140,14 @@ class RestJudge final : public Judge {
         for_simulated([&](std::size_t s) {
             const Vec3d smooth =
                 (*slope_)([&](int j) { return Vec3d(frame(j).position[s]) + frame(j).origin; });
-            double fastest = length(Vec3d(frame(0).velocity[s]) - smooth);
-            for (std::size_t i = s * view.hair.points(); i < (s + 1) * view.hair.points(); ++i) {
+            Offender at = offender(run_.groom, s, number);
+            jitter_.see(length(Vec3d(frame(0).velocity[s]) - smooth), at);
+            for (std::uint32_t k = 0; k < view.hair.points(); ++k) {
+                const std::size_t i = s * view.hair.points() + k;
                 const double rate = (*slope_)([&](int j) { return double{frame(j).radius[i]}; });
-                fastest = std::max(fastest, std::fabs(double{frame(0).radius_rate[i]} - rate));
+                at.point = k;
+                jitter_.see(std::fabs(double{frame(0).radius_rate[i]} - rate), at);
             }
-            jitter_.see(fastest, offender(run_.groom, s, number));
         });
     }
 

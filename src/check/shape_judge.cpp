@@ -60,7 +60,7 @@ class ShapeJudge final : public Judge {
             sum += area;
             flattest.see(-area / design_[i++], offender(run_.groom, s, view.number));
         });
-        if (loss_.see(-sum / design_sum_, {{}, {}, view.number}))
+        if (loss_.see(-sum / design_sum_, {.frame = view.number}))
             flattest_ = flattest;
     }
 

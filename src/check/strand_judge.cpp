@@ -94,7 +94,7 @@ class StrandJudge final : public Judge {
 
     void see_vertex(const FrameView& view, std::uint32_t wisp, std::size_t v, Deep& deep) {
         const Vec3d p(positions_[v]);
-        const Offender at{wisp, static_cast<std::uint32_t>(parameter_[v]), view.number};
+        const Offender at{wisp, static_cast<std::uint32_t>(parameter_[v]), {}, view.number};
         for (const Solid& solid : view.solids)
             if (solid.contains(p) && solid.depth(p, kDeep) > kDeep) {
                 ++deep.count;

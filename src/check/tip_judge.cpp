@@ -71,7 +71,9 @@ class TipJudge final : public Judge {
     std::size_t tip(std::size_t w) const { return run_.groom.first_section[w + 1] - 1; }
     Offender at(std::size_t w, std::size_t s, const FrameView& view) const {
         return {static_cast<std::uint32_t>(w),
-                static_cast<std::uint32_t>(s) - run_.groom.first_section[w], view.number};
+                static_cast<std::uint32_t>(s) - run_.groom.first_section[w],
+                {},
+                view.number};
     }
 
     BonePose head_pose(const FrameView& view) const {

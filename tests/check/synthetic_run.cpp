@@ -50,7 +50,10 @@ RunSetup make_setup(std::vector<WispDesign>& designs) {
         wisp.radius = {0.008f, 0.006f};
         designs.push_back(design(wisp, head.mesh));
     }
-    return {{}, make_groom(designs, head.mesh), {head}};
+    RunSetup setup;
+    setup.groom = make_groom(designs, head.mesh);
+    setup.bodies = {head};
+    return setup;
 }
 
 Frame make_frame(const RunSetup& setup, const std::vector<WispDesign>& designs,

@@ -86,7 +86,8 @@ TEST_CASE("help and version are there") {
     CHECK(mane_command(folder, "--version").out.starts_with("mane 0."));
     const Result help = mane_command(folder, "--help");
     CHECK(help.code == 0);
-    for (const char* word : {"simulate", "info", "compare", "help", "Examples:", "Exit codes:"})
+    for (const char* word :
+         {"simulate", "info", "check", "compare", "help", "Examples:", "Exit codes:"})
         CHECK(help.out.find(word) != std::string::npos);
     CHECK(mane_command(folder, "simulate --help").out.find("--rates") != std::string::npos);
     CHECK(mane_command(folder, "help scene").out.find("bending_length") != std::string::npos);
@@ -221,6 +222,28 @@ TEST_CASE("a run leaves a cache, a table and statistics; info and compare read i
     REQUIRE(mane_command(folder, "simulate small.toml -o d.mane --frames 2").code == 0);
     CHECK(mane_command(folder, "compare a.mane d.mane")
               .out.find("different: 4 frames, the other 2") != std::string::npos);
+}
+
+TEST_CASE("check judges a run, in a table and as JSON, and its exit code is the verdict") {
+    Folder folder;
+    REQUIRE(mane_command(folder, "simulate small.toml -o a.mane").code == 0);
+    const Result good = mane_command(folder, "check a.mane");
+    CHECK(good.code == 0);
+    CHECK(good.out.find("skeleton_inside") != std::string::npos);
+    CHECK(good.out.ends_with("\npass\n"));
+
+    REQUIRE(mane_command(folder, "simulate small.toml -o b.mane --set check.area=1").code == 0);
+    const Result bad = mane_command(folder, "check b.mane --json");
+    CHECK(bad.code == 1);
+    const auto report = nlohmann::json::parse(bad.out);
+    CHECK(report["passed"] == false);
+    for (const auto& criterion : report["criteria"])
+        CHECK((criterion["verdict"] == "fail") == (criterion["name"] == "area"));
+    CHECK(mane_command(folder, "check b.mane").out.ends_with("\nFAIL: 1 of 20 criteria\n"));
+    check_bad(folder, "check none.mane", "none.mane: cannot be read");
+    check_bad(
+        folder, "simulate small.toml -o out.mane --set check.stretch=0.2",
+        "--set check.stretch=0.2: check.stretch: found 0.2, expected a number from 0 to 0.15");
 }
 
 TEST_CASE("a scene's settings are stored with the run") {
