@@ -9,45 +9,25 @@
 namespace mane {
 namespace {
 
-constexpr std::size_t kContactsPerChunk = 512;
-constexpr std::size_t kSectionsPerChunk = 256;
-
-/// The sections of a contact with their weights: those of the point, then the two ends of the
-/// segment.
-struct Participants {
-    struct One {
-        std::uint32_t section;
-        float weight;     ///< in the relative velocity
-        float compliance; ///< what the weight's square stands for in W
-        ContactPoint point;
-    };
-    One items[4];
-    int count = 0;
-    void add(One one) { items[count++] = one; }
-};
-
-Participants participants(const WispContact& c, const Layout& layout) {
-    constexpr ContactPoint skeleton{ContactPoint::kSkeleton};
-    Participants p;
-    const auto add_ends = [&](std::uint32_t segment, float s, float sign) {
-        p.add({segment, sign * (1 - s), (1 - s) * (1 - s), skeleton});
-        // Next to an end that the head holds, a contact at small s would fling the other end at 1/s
-        // of its velocity: there the weight counts once. That is a viscosity in series, so energy
-        // still falls.
-        p.add({segment + 1, sign * s, layout.simulated(segment) ? s * s : s, skeleton});
-    };
-    if (c.point.is_axis())
-        add_ends(c.section, c.along, 1);
-    else
-        p.add({c.section, 1, 1, c.point});
-    add_ends(c.segment, c.s, -1);
-    return p;
-}
+constexpr std::size_t kAnswersPerChunk = 1024;
+constexpr std::size_t kParticipantsPerChunk = 256;
+constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr ContactPoint kSkeletonPoint{ContactPoint::kSkeleton};
 
 /// 3τ² − 2τ³, from 0 at `low` to 1 at `high`.
 float smooth_step(float x, float low, float high) {
     const float t = std::clamp((x - low) / (high - low), 0.f, 1.f);
     return t * t * (3 - 2 * t);
+}
+
+/// Calls `work` with every index below `count`, in chunks.
+template <typename Work>
+void for_each(Threads& threads, std::size_t count, std::size_t per_chunk, Work&& work) {
+    threads.run((count + per_chunk - 1) / per_chunk, [&](std::size_t chunk) {
+        const std::size_t last = std::min(count, (chunk + 1) * per_chunk);
+        for (std::size_t i = chunk * per_chunk; i < last; ++i)
+            work(i);
+    });
 }
 
 } // namespace
@@ -56,120 +36,171 @@ WispResponse::WispResponse(const WispContactDesc& desc)
     : desc_(desc), sine_fade_(static_cast<float>(sine(desc.fade_angle * (kPi / 180)))) {}
 
 void WispResponse::engage(const HairView& hair, std::span<const WispContact> contacts) {
-    contacts_.assign(contacts.begin(), contacts.end());
-    impulses_.resize(contacts_.size());
-    build(hair, all_, true);
-    build(hair, collisions_, false);
+    contacts_.clear();
+    answers_.clear();
+    participants_.clear();
+    participant_of_.assign(hair.groom.section_count(), kNone);
+    for (const WispContact& contact : contacts)
+        add_answer(hair, contact);
+    add_shares();
+    impulses_.resize(answers_.size());
+    velocities_.resize(participants_.size());
+    radius_rates_.resize(participants_.size() * hair.groom.envelope_points);
 }
 
-void WispResponse::build(const HairView& hair, Set& set, bool with_friction) const {
-    const std::uint32_t k = hair.groom.envelope_points;
-    set.contacts.clear();
-    set.sections.clear();
-    set.skeleton_count.assign(hair.groom.section_count(), 0);
-    set.envelope_count.assign(hair.groom.section_count() * k, 0);
-    for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
-        const WispContact& c = contacts_[i];
-        if (c.kind == WispContactKind::friction && !with_friction)
-            continue;
-        const Participants all = participants(c, hair.layout);
-        bool any_moves = false;
-        for (int j = 0; j < all.count; ++j)
-            any_moves = any_moves || hair.layout.simulated(all.items[j].section);
-        if (!any_moves)
-            continue;
-        set.contacts.push_back(i);
-        for (int j = 0; j < all.count; ++j) {
-            const auto& one = all.items[j];
-            if (set.skeleton_count[one.section]++ == 0)
-                set.sections.push_back(one.section);
-            if (one.point.is_envelope())
-                ++set.envelope_count[one.section * k + one.point.k()];
-        }
+std::uint32_t WispResponse::participant(std::uint32_t section) {
+    std::uint32_t& index = participant_of_[section];
+    if (index == kNone) {
+        index = static_cast<std::uint32_t>(participants_.size());
+        participants_.emplace_back().section = section;
     }
-    std::sort(set.sections.begin(),
-              set.sections.end()); // each once: the order of equals does not arise
+    return index;
+}
 
-    // Shares by section, in the order of contacts: counted, then filled.
-    std::vector<std::uint32_t> entry_of(hair.groom.section_count());
-    set.first_share.assign(set.sections.size() + 1, 0);
-    for (std::size_t e = 0; e < set.sections.size(); ++e) {
-        entry_of[set.sections[e]] = static_cast<std::uint32_t>(e);
-        set.first_share[e + 1] = set.first_share[e] + set.skeleton_count[set.sections[e]];
+void WispResponse::add_answer(const HairView& hair, const WispContact& contact) {
+    const bool axis = contact.point.is_axis();
+    const std::uint32_t second = axis ? contact.section + 1 : contact.section;
+    if (!hair.layout.simulated(second) && !hair.layout.simulated(contact.segment + 1))
+        return; // the head holds all of it
+
+    // Next to an end that the head holds, a contact at small s would fling the other end at 1/s of
+    // its velocity: there the weight counts once. That is a viscosity in series, so energy still
+    // falls.
+    const auto far = [&](std::uint32_t segment, float s) {
+        return hair.layout.simulated(segment) ? s * s : s;
+    };
+    const float a = axis ? contact.along : 0.f, s = contact.s;
+    Answer answer;
+    answer.point = contact.point;
+    answer.ends[0] = {participant(contact.section), 1 - a, (1 - a) * (1 - a)};
+    answer.ends[1] = {participant(second), a, axis ? far(contact.section, a) : 0.f};
+    answer.ends[2] = {participant(contact.segment), s - 1, (1 - s) * (1 - s)};
+    answer.ends[3] = {participant(contact.segment + 1), -s, far(contact.segment, s)};
+    for (int i = 0; i < 4; ++i)
+        if (i != 1 || axis)
+            ++participants_[answer.ends[i].participant].skeleton_users;
+    if (contact.point.is_envelope())
+        ++participants_[answer.ends[0].participant].envelope_users[contact.point.k()];
+    contacts_.push_back(contact);
+    answers_.push_back(answer);
+}
+
+/// Shares by participant, in the order of contacts: places by their counts, then filled.
+void WispResponse::add_shares() {
+    std::uint32_t next = 0;
+    for (Participant& p : participants_) {
+        p.first_share = p.last_share = next;
+        next += p.skeleton_users;
     }
-    set.shares.resize(set.first_share.back());
-    std::vector<std::uint32_t> next(set.first_share.begin(), set.first_share.end() - 1);
-    for (std::uint32_t i : set.contacts) {
-        const Participants all = participants(contacts_[i], hair.layout);
-        for (int j = 0; j < all.count; ++j)
-            set.shares[next[entry_of[all.items[j].section]]++] = {i, all.items[j].weight,
-                                                                  all.items[j].point};
+    shares_.resize(next);
+    for (std::uint32_t i = 0; i < answers_.size(); ++i) {
+        const Answer& answer = answers_[i];
+        for (int e = 0; e < 4; ++e) {
+            if (e == 1 && !answer.point.is_axis())
+                continue;
+            const ContactPoint point =
+                e == 0 && answer.point.is_envelope() ? answer.point : kSkeletonPoint;
+            shares_[participants_[answer.ends[e].participant].last_share++] = {
+                i, answer.ends[e].weight, point};
+        }
     }
 }
 
-/// (W + Z) J = −v_rel, see docs/model.md, "Each contact is one impulse".
-Vec3 WispResponse::impulse(const HairView& hair, const Set& set, const WispContact& contact,
-                           float friction_time) const {
-    const std::uint32_t k = hair.groom.envelope_points;
-    Symmetric3 w;
-    const Participants all = participants(contact, hair.layout);
-    for (int j = 0; j < all.count; ++j) {
-        const auto& one = all.items[j];
-        const SectionMass mass = SectionMass::of(hair, one.section);
-        const float shared = static_cast<float>(set.skeleton_count[one.section]);
-        if (one.point.is_envelope()) {
-            const Vec3 d = half_line_direction(hair, hair.layout.slot(one.section), one.point.k());
-            const float own =
-                static_cast<float>(set.envelope_count[one.section * k + one.point.k()]);
-            w += Symmetric3::identity(mass.across * shared);
-            w += Symmetric3::outer(mass.normal, mass.extra * shared);
-            w += Symmetric3::outer(d, mass.envelope * own - mass.across * shared);
-        } else {
-            const float scale = one.compliance * shared;
-            w += Symmetric3::identity(mass.across * scale);
-            w += Symmetric3::outer(mass.normal, mass.extra * scale);
-        }
+void WispResponse::prepare(const HairView& hair, float step, Threads& threads) {
+    for_each(threads, participants_.size(), kParticipantsPerChunk, [&](std::size_t i) {
+        Participant& p = participants_[i];
+        p.mass = SectionMass::of(hair, p.section);
+        for (std::uint32_t k = 0; k < hair.groom.envelope_points; ++k)
+            p.half_lines[k] = half_line_direction(hair, hair.layout.slot(p.section), k);
+    });
+    for_each(threads, answers_.size(), kAnswersPerChunk, [&](std::size_t i) {
+        answers_[i].impulse_per_velocity =
+            Symmetric3(impulse_per_velocity(hair, contacts_[i], answers_[i], step));
+    });
+}
+
+Symmetric3d WispResponse::impulse_per_velocity(const HairView& hair, const WispContact& contact,
+                                               const Answer& answer, float step) const {
+    Symmetric3d w;
+    for (const End& end : answer.ends) {
+        const Participant& p = participants_[end.participant];
+        const double shared = double{end.compliance} * p.skeleton_users;
+        w += Symmetric3d::identity(p.mass.across * shared);
+        w += Symmetric3d::outer(Vec3d(p.mass.normal), p.mass.extra * shared);
+    }
+    if (answer.point.is_envelope()) { // along its half line it moves with its own mass
+        const Participant& p = participants_[answer.ends[0].participant];
+        const std::uint32_t k = answer.point.k();
+        w += Symmetric3d::outer(Vec3d(p.half_lines[k]),
+                                double{p.mass.envelope} * p.envelope_users[k] -
+                                    double{p.mass.across} * p.skeleton_users);
     }
     if (!(w.trace() > 0))
-        return {}; // all of it is held by the head
-    const ContactSide p = point_side(hair, contact), s = segment_side(hair, contact);
-    const Vec3 approach = s.velocity - p.velocity;
-    if (contact.kind == WispContactKind::friction) {
-        const float dragged = 1 - static_cast<float>(exponential(-double(desc_.friction) *
-                                                                 contact.density * friction_time));
-        if (!(dragged > 1e-7f))
-            return {};
-        const Vec3 n = cross(p.direction, s.direction);
-        const float angle_sine = length(n),
-                    fade = smooth_step(angle_sine, 0.5f * sine_fade_, sine_fade_);
-        const float out_of_plane = dragged + (1 - dragged) * fade;
-        const float mean = w.trace() / 3;
-        const float in = mean * (1 - dragged) / dragged,
-                    out = mean * (1 - out_of_plane) / out_of_plane;
-        w += Symmetric3::identity(in);
-        if (fade > 0)
-            w += Symmetric3::outer(n / angle_sine, out - in);
+        return {};
+    if (contact.kind == WispContactKind::friction)
+        w += viscosity(hair, contact, w, step);
+    return w.inverse();
+}
+
+/// Z of quasi-parallel wisps (M24, M25): weak in their plane, rigid across it as far as there is a
+/// plane.
+Symmetric3d WispResponse::viscosity(const HairView& hair, const WispContact& contact,
+                                    const Symmetric3d& w, float step) const {
+    constexpr double kLeastDrag = 1e-6; // no friction at all would be an infinite Z
+    const double dragged =
+        std::max(kLeastDrag, 1 - exponential(-double{desc_.friction} * contact.density * step));
+    const Vec3d n = cross(Vec3d(point_side(hair, contact).direction),
+                          Vec3d(segment_side(hair, contact).direction));
+    const double sine_of_angle = length(n);
+    const double fade =
+        smooth_step(static_cast<float>(sine_of_angle), 0.5f * sine_fade_, sine_fade_);
+    const double out_of_plane = dragged + (1 - dragged) * fade;
+    const double mean = w.trace() / 3;
+    const double in = mean * (1 - dragged) / dragged,
+                 out = mean * (1 - out_of_plane) / out_of_plane;
+    Symmetric3d z = Symmetric3d::identity(in);
+    if (fade > 0)
+        z += Symmetric3d::outer(n / sine_of_angle, out - in);
+    return z;
+}
+
+void WispResponse::apply(const HairView& hair, State& state, Threads& threads) {
+    const std::uint32_t k_count = hair.groom.envelope_points;
+    for (std::size_t i = 0; i < participants_.size(); ++i) {
+        const Slot slot = hair.layout.slot(participants_[i].section);
+        velocities_[i] = state.velocity.vec(slot);
+        for (std::uint32_t k = 0; k < k_count; ++k)
+            radius_rates_[i * k_count + k] = state.radius_rate.at(slot, k);
     }
-    return w.solve(approach);
+    for_each(threads, answers_.size(), kAnswersPerChunk,
+             [&](std::size_t i) { impulses_[i] = impulse(answers_[i], k_count); });
+    for_each(threads, participants_.size(), kParticipantsPerChunk, [&](std::size_t i) {
+        if (hair.layout.simulated(participants_[i].section))
+            gather(hair, participants_[i], state);
+    });
+}
+
+Vec3 WispResponse::impulse(const Answer& answer, std::uint32_t k_count) const {
+    Vec3 relative;
+    for (const End& end : answer.ends)
+        relative += velocities_[end.participant] * end.weight;
+    if (answer.point.is_envelope()) {
+        const std::uint32_t p = answer.ends[0].participant, k = answer.point.k();
+        relative += participants_[p].half_lines[k] * radius_rates_[p * k_count + k];
+    }
+    return -(answer.impulse_per_velocity * relative);
 }
 
 /// Adds up what the contacts do to one section, and changes its velocities.
-void WispResponse::gather(const HairView& hair, const Set& set, std::size_t entry,
+void WispResponse::gather(const HairView& hair, const Participant& participant,
                           State& state) const {
-    const std::uint32_t section = set.sections[entry];
-    if (!hair.layout.simulated(section))
-        return;
-    const Slot slot = hair.layout.slot(section);
-    const std::uint32_t k_count = hair.groom.envelope_points;
-    const SectionMass mass = SectionMass::of(hair, section);
-
     Vec3 on_skeleton;
     float on_envelope[kMaxEnvelopePoints] = {};
-    for (std::uint32_t i = set.first_share[entry]; i < set.first_share[entry + 1]; ++i) {
-        const Share& share = set.shares[i];
-        const Vec3& j = impulses_[share.contact];
+    for (std::uint32_t i = participant.first_share; i < participant.last_share; ++i) {
+        const Share& share = shares_[i];
+        const Vec3& j = impulses_[share.answer];
         if (share.point.is_envelope()) { // M27
-            const Vec3 d = half_line_direction(hair, slot, share.point.k());
+            const Vec3& d = participant.half_lines[share.point.k()];
             const float along = dot(d, j);
             on_envelope[share.point.k()] += along;
             on_skeleton += j - d * along;
@@ -177,28 +208,12 @@ void WispResponse::gather(const HairView& hair, const Set& set, std::size_t entr
             on_skeleton += j * share.weight;
         }
     }
-    const Vec3 change = mass.skeleton_response(on_skeleton);
+    const Slot slot = hair.layout.slot(participant.section);
+    const Vec3 change = participant.mass.skeleton_response(on_skeleton);
     state.velocity.set(slot, state.velocity.vec(slot) + change);
-    for (std::uint32_t k = 0; k < k_count; ++k)
+    for (std::uint32_t k = 0; k < hair.groom.envelope_points; ++k)
         state.radius_rate.at(slot, k) +=
-            on_envelope[k] * mass.envelope - dot(half_line_direction(hair, slot, k), change);
-}
-
-void WispResponse::apply(const HairView& hair, State& state, float friction_time,
-                         Threads& threads) {
-    const Set& set = friction_time > 0 ? all_ : collisions_;
-    const auto chunks = [](std::size_t n, std::size_t per) { return (n + per - 1) / per; };
-    threads.run(chunks(set.contacts.size(), kContactsPerChunk), [&](std::size_t chunk) {
-        const std::size_t last = std::min(set.contacts.size(), (chunk + 1) * kContactsPerChunk);
-        for (std::size_t i = chunk * kContactsPerChunk; i < last; ++i)
-            impulses_[set.contacts[i]] =
-                impulse(hair, set, contacts_[set.contacts[i]], friction_time);
-    });
-    threads.run(chunks(set.sections.size(), kSectionsPerChunk), [&](std::size_t chunk) {
-        const std::size_t last = std::min(set.sections.size(), (chunk + 1) * kSectionsPerChunk);
-        for (std::size_t e = chunk * kSectionsPerChunk; e < last; ++e)
-            gather(hair, set, e, state);
-    });
+            on_envelope[k] * participant.mass.envelope - dot(participant.half_lines[k], change);
 }
 
 } // namespace mane

@@ -6,7 +6,8 @@ namespace mane {
 namespace {
 
 void feel_wind(Simulation& s, double time) {
-    if (s.air.is_uniform()) return;
+    if (s.air.is_uniform())
+        return;
     for (std::uint32_t section = 0; section < s.groom.section_count(); ++section) {
         const Slot slot = s.layout.slot(section);
         s.wind.set(slot, s.air.velocity(s.origin + Vec3d(s.state.position.vec(slot)), time));
@@ -15,7 +16,8 @@ void feel_wind(Simulation& s, double time) {
 
 void find_section_frames(Simulation& s) {
     const KernelData data = s.kernel_data();
-    s.for_packets([&](std::size_t first, std::size_t last) { s.kernels.section_frames(data, first, last); });
+    s.for_packets(
+        [&](std::size_t first, std::size_t last) { s.kernels.section_frames(data, first, last); });
 }
 
 void detect_wisp_contacts(Simulation& s) {
@@ -23,9 +25,11 @@ void detect_wisp_contacts(Simulation& s) {
     s.wisp_detection.detect(s.hair(), s.threads);
     s.wisp_response.engage(s.hair(), s.wisp_detection.contacts());
     ++s.statistics.wisp_detections;
-    s.statistics.intersections += 2 * s.wisp_detection.intersecting_pairs(); // each from both of its segments
+    s.statistics.intersections +=
+        2 * s.wisp_detection.intersecting_pairs(); // each from both of its segments
     for (const WispContact& c : s.wisp_detection.contacts())
-        ++(c.kind == WispContactKind::friction ? s.statistics.friction_contacts : s.statistics.collision_contacts);
+        ++(c.kind == WispContactKind::friction ? s.statistics.friction_contacts
+                                               : s.statistics.collision_contacts);
 }
 
 void detect_character_contacts(Simulation& s) {
@@ -35,48 +39,58 @@ void detect_character_contacts(Simulation& s) {
     s.statistics.sliding_contacts += s.character_contacts.count();
 }
 
-/// Quasi-parallel contacts are answered once per block for its whole length, collisions at every step (M36); nothing is held for
-/// `paper-literal`.
+/// Engaged contacts are answered every step (M36); nothing is held for `paper-literal`.
 void answer_wisp_contacts(Simulation& s, const StepPlace& place) {
     const bool found_now = place.first() && place.detects_wisps;
-    if (!s.desc.schedule.hold_contacts && !found_now) return;
+    if (!s.desc.schedule.hold_contacts && !found_now)
+        return;
+    const float step = static_cast<float>(s.schedule.step_seconds());
     if (s.desc.wisps.literal) {
-        const float step = static_cast<float>(s.schedule.step_seconds());
         respond_literally(s.hair(), s.wisp_detection.contacts(), s.desc.wisps, step, s.state);
-    } else {
-        s.wisp_response.apply(s.hair(), s.state, place.first() ? s.roots.seconds : 0.f, s.threads);
+        return;
     }
+    if (place.first())
+        s.wisp_response.prepare(s.hair(), step, s.threads);
+    s.wisp_response.apply(s.hair(), s.state, s.threads);
 }
 
 void answer_character_contacts(Simulation& s, const StepPlace& place) {
-    if (!s.desc.schedule.hold_contacts && !place.first()) return;
-    s.character_contacts.respond(s.hair(), s.desc.character, place.begin(), static_cast<float>(s.schedule.step_seconds()),
-                                 s.state, s.threads);
+    if (!s.desc.schedule.hold_contacts && !place.first())
+        return;
+    s.character_contacts.respond(s.hair(), s.desc.character, place.begin(),
+                                 static_cast<float>(s.schedule.step_seconds()), s.state, s.threads);
 }
 
 /// 1. Forces: gravity, air resistance, springs; and the first half of 3., velocities from them.
 void process_forces(Simulation& s) {
     const StageTimer timer(s.statistics, Stage::forces);
     const KernelData data = s.kernel_data();
-    s.for_packets([&](std::size_t first, std::size_t last) { s.kernels.process_forces(data, first, last); });
+    s.for_packets(
+        [&](std::size_t first, std::size_t last) { s.kernels.process_forces(data, first, last); });
 }
 
-/// 2. Interactions between pairs of wisps, and between wisps and the character. Forces and detection read the same state
-/// and write apart, so detection may come first; then forces flow straight into the velocities.
+/// 2. Interactions between pairs of wisps, and between wisps and the character. Forces and
+/// detection read the same state and write apart, so detection may come first; then forces flow
+/// straight into the velocities.
 void detect_interactions(Simulation& s, const StepPlace& place) {
-    if (!place.first()) return;
+    if (!place.first())
+        return;
     find_section_frames(s);
-    if (place.detects_wisps && s.desc.wisps.mode != WispContactMode::off) detect_wisp_contacts(s);
+    if (place.detects_wisps && s.desc.wisps.mode != WispContactMode::off)
+        detect_wisp_contacts(s);
     detect_character_contacts(s);
 }
 
-/// 3. The velocity modifications. The character comes last: what wisps do to each other must not push one into it.
+/// 3. The velocity modifications. The character comes last: what wisps do to each other must not
+/// push one into it.
 void modify_velocities(Simulation& s, const StepPlace& place) {
     const StageTimer timer(s.statistics, Stage::velocities);
     const KernelData data = s.kernel_data();
-    s.for_packets(
-        [&](std::size_t first, std::size_t last) { s.kernels.move_root_velocities(data, place.end(), first, last); });
-    if (s.desc.wisps.mode != WispContactMode::off) answer_wisp_contacts(s, place);
+    s.for_packets([&](std::size_t first, std::size_t last) {
+        s.kernels.move_root_velocities(data, place.end(), first, last);
+    });
+    if (s.desc.wisps.mode != WispContactMode::off)
+        answer_wisp_contacts(s, place);
     answer_character_contacts(s, place);
 }
 
@@ -84,22 +98,26 @@ void modify_velocities(Simulation& s, const StepPlace& place) {
 void process_positions(Simulation& s, const StepPlace& place) {
     const StageTimer timer(s.statistics, Stage::positions);
     const KernelData data = s.kernel_data();
-    s.for_packets([&](std::size_t first, std::size_t last) { s.kernels.process_positions(data, place.end(), first, last); });
+    s.for_packets([&](std::size_t first, std::size_t last) {
+        s.kernels.process_positions(data, place.end(), first, last);
+    });
 }
 
 /// 4. The position modifications: on the new positions, against the character at the step's end.
 void modify_positions(Simulation& s, const StepPlace& place) {
-    if (!place.last()) return;
+    if (!place.last())
+        return;
     const StageTimer timer(s.statistics, Stage::character_detection);
     find_section_frames(s);
-    s.statistics.penetration_reactions += s.character_contacts.react(s.hair(), s.bodies, s.desc.character,
-                                                                     s.state, s.threads);
+    s.statistics.penetration_reactions +=
+        s.character_contacts.react(s.hair(), s.bodies, s.desc.character, s.state, s.threads);
 }
 
 } // namespace
 
 void step(Simulation& s, const StepPlace& place, double time) {
-    if (place.first()) feel_wind(s, time);
+    if (place.first())
+        feel_wind(s, time);
     detect_interactions(s, place);
     process_forces(s);
     modify_velocities(s, place);

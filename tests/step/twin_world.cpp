@@ -73,7 +73,7 @@ void TwinWorld::step(const StepPlace& place, double time) {
                           .air_drag = double{core_.desc.air.drag}};
     input.h = core_.schedule.step_seconds();
     input.contacts = contacts_;
-    input.friction_time = place.first() ? double{core_.roots.seconds} : 0;
+    input.friction_time = core_.schedule.step_seconds();
     input.wisps = core_.desc.wisps;
     for (std::size_t w = 0; w < hair_.wisps.size(); ++w)
         input.planes.push_back(planes_of(core_.character_contacts.of_wisp(w), double{place.begin()},

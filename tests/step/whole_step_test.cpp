@@ -141,14 +141,15 @@ TEST_CASE(
         input.surroundings = {.gravity = Vec3d(data.gravity), .air_drag = double{data.drag}};
         input.h = double{data.step};
         input.contacts = random_contacts(twin, seed % 4 ? 2 * groom.wisp_count() : 0, seed);
-        input.friction_time = seed % 3 ? double{kBlock} : 0;
+        input.friction_time = double{seed % 3 ? kBlock : kStep};
         input.wisps.literal = false;
 
         kernels.process_forces(data, 0, packets);
         kernels.move_root_velocities(data, kEnd, 0, packets);
         WispResponse response(input.wisps);
         response.engage(core.view(), core.take(input.contacts));
-        response.apply(core.view(), core.state, static_cast<float>(input.friction_time), threads);
+        response.prepare(core.view(), static_cast<float>(input.friction_time), threads);
+        response.apply(core.view(), core.state, threads);
         kernels.process_positions(data, kEnd, 0, packets);
         input.end = roots_of(core);
 
