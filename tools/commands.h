@@ -65,7 +65,7 @@ struct PictureOptions {
     std::vector<std::uint32_t> size{640}; ///< [pixels] width and height, or one for both
     std::uint32_t samples = 16, strands = 30000;
     bool colour_by_wisp = false;
-    double height = 0.7; ///< [m] seen by a view
+    double height = 0.7;             ///< [m] seen by a view
     std::vector<double> eye, target; ///< [m] three numbers each, or none
     double field_of_view = 24;       ///< [deg]
     unsigned threads = 0;

@@ -61,8 +61,8 @@ void add_info(CLI::App& app, Run& run) {
 
 void add_check(CLI::App& app, Run& run) {
     static CheckOptions o;
-    CLI::App* command = app.add_subcommand(
-        "check", "Judge a run by what is stored of it; exit code 1 if it fails");
+    CLI::App* command =
+        app.add_subcommand("check", "Judge a run by what is stored of it; exit code 1 if it fails");
     command->add_option("FILE", o.file, "cache")->required();
     command->add_flag("--json", o.json, "as JSON");
     command->callback([&run] { run = [] { return check(o); }; });

@@ -19,8 +19,12 @@ constexpr Range share{0, 1};
 
 // A scene may ask for more than the judge does, never for less.
 constexpr CheckDesc limit;
-constexpr Range at_most(double bound) { return {0, bound}; }
-constexpr Range at_least(double bound) { return {bound, 1}; }
+constexpr Range at_most(double bound) {
+    return {0, bound};
+}
+constexpr Range at_least(double bound) {
+    return {bound, 1};
+}
 
 // clang-format off
 constexpr Section<SceneDesc, &SceneDesc::simulation> simulation{"simulation"};
