@@ -32,11 +32,13 @@ struct SlidingContact {
     float threshold = 0; ///< [m] distance under which it answers
 };
 
-/// Where a skeleton point would be at the block's end if it had been fixed to the polygon that was
-/// nearest at its start.
+/// A skeleton point at a block's start, and where it would be at the end if it had been fixed to
+/// the polygon that was nearest then.
 struct CarriedPoint {
+    Vec3 start;        ///< [m]
+    double clear = 0;  ///< [m] nothing of the surface was nearer at the start
     bool near = false; ///< whether any polygon was near enough to be met within the block
-    Vec3 position;     ///< [m]
+    Vec3 position;     ///< [m] at the end, where `near`
     std::uint32_t triangle = PosedSurface::kNoGuess; ///< the nearest, of this block or an earlier
 };
 

@@ -69,6 +69,8 @@ class Detector {
             if (block > 0)
                 reach.velocity = velocity_at(surface_, *reach.place);
         }
+        carried.start = wisp_.x[i];
+        carried.clear = reach.clear;
         return reach;
     }
 

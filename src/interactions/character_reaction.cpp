@@ -1,5 +1,4 @@
-#include "interactions/character_contact.h"
-#include "interactions/character_escape.h"
+#include "interactions/character_bearings.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +20,8 @@ class Reactor {
     Reactor(WispCopy& wisp, std::span<const ContactBody> bodies,
             std::span<const CarriedPoint> carried, double push_out)
         : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(bodies, push_out),
-          exempt_(wisp.sections() * bodies.size(), 0), moved_(wisp.sections(), false) {}
+          bearings_(wisp, bodies, carried, escape_), exempt_(wisp.sections() * bodies.size(), 0),
+          moved_(wisp.sections(), false) {}
 
     std::uint64_t run() {
         find_exempt();
@@ -47,7 +47,7 @@ class Reactor {
         for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
             if (!bodies_[b].worn)
                 continue;
-            for (std::uint32_t i = 1; i < wisp_.sections() && escape_.inside(wisp_.x[i], b); ++i)
+            for (std::uint32_t i = 1; i < wisp_.sections() && bearings_.inside(i, b); ++i)
                 exempt_[i * bodies_.size() + b] = 1;
         }
     }
@@ -61,6 +61,7 @@ class Reactor {
 
     void put(std::uint32_t i, const Vec3& position) {
         wisp_.x[i] = position;
+        bearings_.forget(i);
         moved_[i] = true;
         ++reactions_;
     }
@@ -81,11 +82,13 @@ class Reactor {
     /// surface. False when neither is so.
     bool move_out(std::uint32_t i, std::uint32_t b, bool with_path) {
         const Vec3 p = wisp_.x[i];
-        const bool inside = escape_.inside(p, b);
+        const bool inside = bearings_.inside(i, b);
         const CarriedPoint& carried = carried_[b * wisp_.sections() + i];
         // Its way over the block, as the body sees it: from where the nearest polygon would have
         // carried it to where it is.
-        const bool has_path = with_path && carried.near && !escape_.inside(carried.position, b);
+        const bool has_path = with_path && carried.near &&
+                              !bearings_.clear_way(i, b, carried.position, 0) &&
+                              !escape_.inside(carried.position, b);
         const std::optional<Escape::Entry> entry =
             has_path ? escape_.entry(b, carried.position, p) : std::nullopt;
         if (!inside && !entry)
@@ -158,7 +161,7 @@ class Reactor {
     /// lifted to the surface by moving its ends, each by its weight there (the least movement that
     /// does it).
     void lift_axis(std::uint32_t i, std::uint32_t b) {
-        if (exempt(i, b) || exempt(i - 1, b))
+        if (exempt(i, b) || exempt(i - 1, b) || bearings_.axis_free(i, b))
             return;
         for (int round = 0; round < kRounds; ++round) {
             const std::optional<float> middle =
@@ -213,7 +216,7 @@ class Reactor {
         if (exempt(i, b))
             return;
         const Vec3 centre = wisp_.x[i];
-        const double clear = clearance(i, b, centre, wisp_.largest_radius(i));
+        const double clear = bearings_.clear(i, b);
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             const WispPoint point{i, 0, line, 1, 0};
             const float share = share_outside(b, centre, wisp_.position(point), clear);
@@ -238,8 +241,8 @@ class Reactor {
         // in a curve of four sections an offset can exceed the largest of its two middle ones by an
         // eighth
         const float reach = std::max(wisp_.largest_radius(i - 1), wisp_.largest_radius(i));
-        const double clear = clearance(i, b, centre, reach * 1.2f);
-        if (clear < double(reach) && escape_.inside(centre, b))
+        const double clear = bearings_.clear(i, b, centre, reach * 1.2f);
+        if (clear < double(reach) && bearings_.inside(i, b, centre, clear))
             return;
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, half_arc(i, line)}) {
@@ -253,12 +256,6 @@ class Reactor {
                 }
             }
         }
-    }
-
-    /// Distance from `p`, near section i, to body `b`; no more than `radius`.
-    double clearance(std::uint32_t i, std::uint32_t b, const Vec3& p, float radius) const {
-        const std::uint32_t guess = carried_[b * wisp_.sections() + i].triangle;
-        return escape_.distance(b, p, double(radius), guess);
     }
 
     /// The share of the way from `centre` (outside, with nothing nearer than `clear`) to `end` that
@@ -305,6 +302,7 @@ class Reactor {
     std::span<const ContactBody> bodies_;
     std::span<const CarriedPoint> carried_;
     Escape escape_;
+    CharacterBearings bearings_;
     std::vector<std::uint8_t> exempt_; // sections × bodies
     std::vector<bool> moved_;
     std::uint64_t reactions_ = 0;

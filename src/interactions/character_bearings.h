@@ -1,0 +1,60 @@
+#pragma once
+
+#include "interactions/character_contact.h"
+#include "interactions/character_escape.h"
+#include "interactions/character_point.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mane {
+
+/// What the penetration reaction knows of a wisp at the block's end: how far its sections are from
+/// the bodies and which are inside. An answer is found when first asked for, and forgotten when the
+/// section moves.
+///
+/// Most need no query of their own. A ball round a point that holds no part of a surface is
+/// *clear*: a way inside clear balls meets no surface, and its two ends are inside together or
+/// outside together. Clear balls come from the detection at the block's start, less the ways that
+/// point and surface have gone since, and from one search per section.
+class CharacterBearings {
+  public:
+    /// `carried`: bodies × sections, found at the block's start.
+    CharacterBearings(const WispCopy& wisp, std::span<const ContactBody> bodies,
+                      std::span<const CarriedPoint> carried, const Escape& escape);
+
+    /// The radius of a clear ball round `p`, near section i [m]: the distance to body `b` where
+    /// that is under `enough`, else at least `enough`.
+    double clear(std::uint32_t i, std::uint32_t b, const Vec3& p, float enough) const;
+    /// The same round section i; enough is the largest radius of its envelope.
+    double clear(std::uint32_t i, std::uint32_t b);
+
+    bool inside(std::uint32_t i, std::uint32_t b);
+    /// Whether `p`, with a clear ball round it, is inside body `b`; section i is near.
+    bool inside(std::uint32_t i, std::uint32_t b, const Vec3& p, double clear_ball);
+    /// Whether the way from section i to `p` stays in clear balls round both.
+    bool clear_way(std::uint32_t i, std::uint32_t b, const Vec3& p, double clear_ball);
+    /// Whether the axis from section i − 1 to i meets no surface of body `b`.
+    bool axis_free(std::uint32_t i, std::uint32_t b);
+
+    /// Section i has moved.
+    void forget(std::uint32_t i);
+
+  private:
+    enum class Answer : std::uint8_t { unknown, no, yes };
+    struct Known {
+        double clear = -1; ///< negative: unknown
+        Answer inside = Answer::unknown;
+        Answer axis_free = Answer::unknown; ///< of the axis that ends here
+    };
+    std::size_t at(std::uint32_t i, std::uint32_t b) const { return b * wisp_.sections() + i; }
+
+    const WispCopy& wisp_;
+    std::span<const ContactBody> bodies_;
+    std::span<const CarriedPoint> carried_;
+    const Escape& escape_;
+    std::vector<Known> known_; // bodies × sections
+};
+
+} // namespace mane
