@@ -4,6 +4,7 @@
 #include "character/surface.h"
 #include "interactions/character_point.h"
 #include "mane/desc.h"
+#include "model/ablation.h"
 
 #include <cstdint>
 #include <span>
@@ -46,6 +47,8 @@ struct CarriedPoint {
 /// each other, each from root to tip, in fixed chunks: the same bits for any number of threads.
 class CharacterContacts {
   public:
+    explicit CharacterContacts(const Ablation& ablation = {}) : ablation_(ablation) {}
+
     /// At a block's start, from the state there: finds the planes that a point could reach before
     /// the block ends. Contacts come sorted by wisp, then section.
     void detect(const HairView& hair, std::span<const ContactBody> bodies,
@@ -67,6 +70,7 @@ class CharacterContacts {
     std::uint64_t count() const;
 
   private:
+    Ablation ablation_;
     std::vector<std::vector<SlidingContact>> contacts_; // per wisp
     std::vector<std::vector<CarriedPoint>> carried_;    // per wisp: bodies × sections
     double duration_ = 0;

@@ -56,11 +56,13 @@ Plane plane_now(const SlidingContact& contact, const Vec3& point, float fraction
 class Responder {
   public:
     Responder(WispCopy& wisp, std::span<const SlidingContact> contacts, float fraction,
-              float duration, float dt)
+              float duration, float dt, const Ablation& ablation)
         : wisp_(wisp), contacts_(contacts) {
         for (const SlidingContact& contact : contacts) {
             Plane plane = plane_now(contact, wisp.position(contact.point), fraction, duration, dt);
             plane.inverse_mass = wisp.inverse_mass(contact.point, plane.normal);
+            if (!ablation.polygon_velocity)
+                plane.velocity = {};
             planes_.push_back(plane);
         }
     }
@@ -163,7 +165,8 @@ void CharacterContacts::respond(const HairView& hair, const CharacterContactDesc
                 continue;
             const auto w = static_cast<std::uint32_t>(i);
             wisp.load(hair, w);
-            Responder responder(wisp, contacts_[i], fraction, static_cast<float>(duration_), dt);
+            Responder responder(wisp, contacts_[i], fraction, static_cast<float>(duration_), dt,
+                                ablation_);
             responder.drag(loss);
             responder.stop_approach();
             wisp.store_velocities(hair, state);

@@ -65,8 +65,8 @@ ContactSide segment_side(const HairView& hair, const WispContact& contact) {
             segment_velocity(hair, contact.segment, contact.s)};
 }
 
-WispDetection::WispDetection(const WispContactDesc& desc)
-    : desc_(desc), sine_parallel_(sine_of_degrees(desc.parallel_angle)),
+WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablation)
+    : desc_(desc), ablation_(ablation), sine_parallel_(sine_of_degrees(desc.parallel_angle)),
       sine_parallel_leaving_(
           sine_of_degrees(std::min(89.f, desc.parallel_angle * desc.hysteresis))),
       tangent_(tangent_of_degrees(desc.parallel_angle)),
@@ -108,6 +108,8 @@ void WispDetection::test_section(const HairView& hair, std::uint32_t section, Fo
     grid_.for_overlapping(geometry_, geometry_.points_box(section), [&](std::size_t index) {
         const std::uint32_t segment = geometry_.segments()[index];
         const bool same_wisp = segment >= first && segment < end;
+        if (same_wisp && !ablation_.self_collision)
+            return;
         // Of the segment before (section − 1) and the one after (section), those that may touch
         // this one.
         const bool before_may =
@@ -163,7 +165,8 @@ void WispDetection::test_axes(const HairView& hair, std::size_t a_index, Found& 
         const std::uint32_t b = geometry_.segments()[b_index];
         if (a == b || (b < a && slender(b_index)))
             return;
-        if (hair.layout.wisp_of(a) == hair.layout.wisp_of(b) && std::max(a, b) - std::min(a, b) < 2)
+        const bool same_wisp = hair.layout.wisp_of(a) == hair.layout.wisp_of(b);
+        if (same_wisp && (!ablation_.self_collision || std::max(a, b) - std::min(a, b) < 2))
             return;
         const Vec3 &b0 = geometry_.section(b).x, &b1 = geometry_.section(b + 1).x;
         // Nearly parallel axes have no one closest place; their points find each other.

@@ -5,6 +5,7 @@
 #include "interactions/segments.h"
 #include "interactions/wisp_contact.h"
 #include "mane/desc.h"
+#include "model/ablation.h"
 
 #include <cstdint>
 #include <span>
@@ -15,7 +16,7 @@ namespace mane {
 /// Finds the contacts between wisps, and of a wisp with itself (§4.1, M21–M23).
 class WispDetection {
   public:
-    explicit WispDetection(const WispContactDesc& desc);
+    explicit WispDetection(const WispContactDesc& desc, const Ablation& ablation = {});
 
     /// Finds all contacts anew, in order. A contact that was there at the last call keeps its kind
     /// within the hysteresis.
@@ -42,6 +43,7 @@ class WispDetection {
     void classify_all(const HairView& hair, Threads& threads);
 
     WispContactDesc desc_;
+    Ablation ablation_;
     float sine_parallel_, sine_parallel_leaving_, tangent_, tangent_leaving_, sine_fade_;
     ContactGeometry geometry_;
     SegmentGrid grid_;

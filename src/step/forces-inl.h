@@ -109,6 +109,8 @@ template <int kFixedPoints> HWY_INLINE void finish_section(const KernelData& dat
         qu = qu + q[k] * Pack(data.half_lines[k].cosine);
         qv = qv + q[k] * Pack(data.half_lines[k].sine);
     }
+    if (!data.ablation.reaction)
+        qu = qv = Pack(0.f);
     const Pack3 total = force - axes.u * qu - axes.v * qv;
     const Pack3 a =
         total * rest_value(rest, Rest::inverse_mass_across) +

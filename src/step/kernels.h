@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/ablation.h"
 #include "model/rest_rows.h"
 #include "model/state.h"
 
@@ -36,6 +37,7 @@ struct KernelData {
     Vec3 gravity;
     float drag = 0;
     float step = 0; ///< [s]
+    Ablation ablation = {}; ///< of tests
 };
 
 /// The step's work on packets [first, last), compiled once per instruction set. All give the same
