@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace mane::tool {
 namespace {
@@ -47,7 +48,7 @@ void print_text(const CheckReport& report) {
         const bool judged = c.verdict != Verdict::not_judged;
         const char* sense = c.sense == Sense::at_most ? "≤" : "≥";
         fmt::print("{:20} {:>14} {:>16}  {:10}  {:42}  {}{}\n", c.name,
-                   judged || c.worst ? quantity(c.value, c.unit) : "",
+                   judged || !std::isnan(c.value) ? quantity(c.value, c.unit) : "",
                    judged ? fmt::format("{} {}", sense, quantity(c.bound, c.unit)) : "",
                    name(c.verdict), c.worst ? describe(*c.worst) : "", c.meaning,
                    c.note.empty() ? "" : " (" + c.note + ")");
@@ -74,7 +75,7 @@ Json describe(const Criterion& c) {
     return {{"name", c.name},
             {"meaning", c.meaning},
             {"unit", c.unit},
-            {"value", judged || c.worst ? Json(c.value) : Json()},
+            {"value", judged || !std::isnan(c.value) ? Json(c.value) : Json()},
             {"bound", judged ? Json(c.bound) : Json()},
             {"sense", c.sense == Sense::at_most ? "at most" : "at least"},
             {"verdict", c.verdict == Verdict::fail ? "fail" : name(c.verdict)},

@@ -4,6 +4,7 @@
 /// in it by means of its own. It shares no geometry with the solver.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,7 +54,7 @@ struct Criterion {
     std::string name;    ///< for machines: stays the same from version to version
     std::string meaning; ///< for people
     std::string unit;    ///< of value and bound
-    double value = 0;
+    double value = std::numeric_limits<double>::quiet_NaN(); ///< NaN: not measured
     double bound = 0;
     Sense sense = Sense::at_most;
     Verdict verdict = Verdict::not_judged;

@@ -75,8 +75,9 @@ void show_frame(const CacheReader& cache, const RunView& run, const Bodies& bodi
         return;
     const BodyPoses poses = cache.poses(number);
     const HairGeometry hair(run.groom, frame);
+    const Overlaps overlaps(run.groom, hair);
     const std::vector<Solid> solids = bodies.posed(vertices);
-    const FrameView view{number, run.time[number], frame, hair, poses, vertices, solids};
+    const FrameView view{number, run.time[number], frame, hair, overlaps, poses, vertices, solids};
     for (const JudgePointer& judge : judges)
         judge->see(view);
 }
@@ -88,7 +89,7 @@ CheckReport check_run(const CacheReader& cache, const CheckOptions& options) {
     const Bodies bodies(run.bodies);
     std::vector<JudgePointer> judges;
     for (const auto make : {skeleton_judge, strand_judge, shape_judge, tip_judge, energy_judge,
-                            rest_judge, intersection_judge})
+                            rest_judge, intersection_judge, parting_judge})
         judges.push_back(make(run));
 
     FiniteCount finite;

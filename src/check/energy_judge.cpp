@@ -9,6 +9,7 @@ namespace {
 constexpr double kWindow = 1;        // [s] over which a swing passes its largest speed
 constexpr double kQuietSpeed = 0.02; // [m/s] slower than this on average, hair may creep
 constexpr double kBound = 1;
+constexpr double kDecayed = 0.01;
 
 /// Kinetic energy: never more than the hair could have taken from the motion, and less from second
 /// to second once the motion has stopped.
@@ -52,6 +53,7 @@ class EnergyJudge final : public Judge {
             criteria.push_back(unanswered(falls, "the file ends within 2 s of the stop"));
         else
             report_fall(falls, criteria);
+        report_decay(criteria);
     }
 
   private:
@@ -119,6 +121,7 @@ class EnergyJudge final : public Judge {
     }
 
     void see_after_stop(const FrameView& view, double energy, const Offender& fastest) {
+        after_stop_.emplace_back(view.time - *run_.stop, energy);
         const auto second = static_cast<std::size_t>((view.time - *run_.stop) / kWindow + 1e-6);
         if (peaks_.size() <= second)
             peaks_.resize(second + 1);
@@ -139,6 +142,25 @@ class EnergyJudge final : public Judge {
                                           : answered(falls, 0, {}));
     }
 
+    /// The energy swings between fall and motion, so it counts from its last large value on.
+    void report_decay(std::vector<Criterion>& criteria) const {
+        const char* name = "energy_decay";
+        const char* meaning =
+            "time after the motion stopped until kinetic energy stays under 1 % of the most since";
+        double most = 0;
+        for (const auto& [time, energy] : after_stop_)
+            most = std::max(most, energy);
+        double time_above = 0;
+        for (const auto& [time, energy] : after_stop_)
+            if (energy > kDecayed * most)
+                time_above = time;
+        if (after_stop_.empty() || time_above == after_stop_.back().first)
+            criteria.push_back(unanswered({name, meaning, "s", 0}, "the file ends before"));
+        else
+            criteria.push_back(measured(name, meaning, "s", time_above,
+                                        "wisps off, isotropic and as in the paper compare by it"));
+    }
+
     const RunView& run_;
     std::vector<Wisp> wisps_;
     double mass_ = 0;
@@ -148,7 +170,8 @@ class EnergyJudge final : public Judge {
     std::vector<std::vector<Vec3>> before_;
     Vec3d origin_before_;
     double time_before_ = 0;
-    std::vector<Peak> peaks_; // per second after the stop
+    std::vector<Peak> peaks_;                           // per second after the stop
+    std::vector<std::pair<double, double>> after_stop_; // [s], [J]
 };
 
 } // namespace

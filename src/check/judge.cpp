@@ -37,4 +37,11 @@ Criterion unanswered(const Question& question, std::string why) {
     return c;
 }
 
+Criterion measured(const char* name, const char* meaning, const char* unit, double value,
+                   std::string note) {
+    Criterion c = unanswered({name, meaning, unit, 0}, std::move(note));
+    c.value = value;
+    return c;
+}
+
 } // namespace mane::judge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "check/hair_geometry.h"
+#include "check/overlap.h"
 #include "check/solid.h"
 #include "mane/cache.h"
 #include "mane/check.h"
@@ -40,6 +41,7 @@ struct FrameView {
     double time;          ///< [s]
     const Frame& frame;
     const HairGeometry& hair;
+    const Overlaps& overlaps; ///< segments that intersect
     const BodyPoses& poses;
     const std::vector<std::vector<Vec3>>&
         vertices;                  ///< [m] per body, relative to the frame's origin
@@ -63,7 +65,8 @@ JudgePointer shape_judge(const RunView& run);        ///< stretch, area
 JudgePointer tip_judge(const RunView& run);          ///< attached, not thrown off, not frozen
 JudgePointer energy_judge(const RunView& run);       ///< kinetic energy
 JudgePointer rest_judge(const RunView& run);         ///< after the motion stopped
-JudgePointer intersection_judge(const RunView& run); ///< M40
+JudgePointer intersection_judge(const RunView& run); ///< M40, M41: crossings
+JudgePointer parting_judge(const RunView& run);      ///< M41: partings between wisps
 
 /// Keeps the largest value seen and where that was.
 struct Largest {
@@ -94,5 +97,8 @@ Criterion answered(const Question& question, double value, std::optional<Offende
                    std::string note = {});
 /// The question without an answer, and why.
 Criterion unanswered(const Question& question, std::string why);
+/// A figure that has no bound.
+Criterion measured(const char* name, const char* meaning, const char* unit, double value,
+                   std::string note);
 
 } // namespace mane::judge

@@ -40,21 +40,23 @@ Overlaps::Overlaps(const Groom& groom, const HairGeometry& hair) : groom_(groom)
     for (const std::uint32_t s : segments_)
         boxes_.push_back(box_of(s));
 
-    std::vector<std::size_t> order(segments_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, [&](std::size_t i) { return boxes_[i].low.y; });
+    std::vector<std::uint32_t> order(segments_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::sort(order, {}, [&](std::uint32_t i) { return boxes_[i].low.y; });
     count_.assign(segments_.size(), 0);
     for (std::size_t i = 0; i < order.size(); ++i)
         for (std::size_t j = i + 1; j < order.size(); ++j) {
-            const std::size_t a = order[i], b = order[j];
+            const std::uint32_t a = order[i], b = order[j];
             if (boxes_[b].low.y > boxes_[a].high.y)
                 break;
             if (boxes_[b].low.x > boxes_[a].high.x || boxes_[a].low.x > boxes_[b].high.x ||
                 boxes_[b].low.z > boxes_[a].high.z || boxes_[a].low.z > boxes_[b].high.z ||
                 share_section(segments_[a], segments_[b]))
                 continue;
-            if (any_point_inside(segments_[a], b) || any_point_inside(segments_[b], a))
+            if (any_point_inside(segments_[a], b) || any_point_inside(segments_[b], a)) {
                 ++count_[a], ++count_[b];
+                pairs_.push_back({a, b});
+            }
         }
 }
 

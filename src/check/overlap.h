@@ -16,6 +16,8 @@ class Overlaps {
 
     /// Per simulated segment, in order, the number of other segments that it intersects.
     const std::vector<std::uint32_t>& count() const { return count_; }
+    /// Pairs that intersect, by their numbers in `segments()`.
+    const std::vector<std::array<std::uint32_t, 2>>& pairs() const { return pairs_; }
     /// First sections of the simulated segments.
     const std::vector<std::uint32_t>& segments() const { return segments_; }
 
@@ -36,6 +38,7 @@ class Overlaps {
     std::vector<Box> boxes_;
     std::vector<Vec3d> points_; // sections × (K + 1): the skeleton point, then the envelope points
     std::vector<std::uint32_t> count_;
+    std::vector<std::array<std::uint32_t, 2>> pairs_;
 };
 
 } // namespace mane::judge

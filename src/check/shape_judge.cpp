@@ -32,6 +32,8 @@ class ShapeJudge final : public Judge {
         const Question area{"area", "mean area of all sections of a frame, relative to the design",
                             "1", run_.bounds.area, Sense::at_least};
         criteria.push_back(answered(area, -loss_.value, flattest_.where));
+        criteria.push_back(measured("area_mean", "the same, on average over the frames", "1",
+                                    area_sum_ / static_cast<double>(frames_), "`area` is bounded"));
     }
 
   private:
@@ -60,6 +62,8 @@ class ShapeJudge final : public Judge {
             sum += area;
             flattest.see(-area / design_[i++], offender(run_.groom, s, view.number));
         });
+        area_sum_ += sum / design_sum_;
+        ++frames_;
         if (loss_.see(-sum / design_sum_, {.frame = view.number}))
             flattest_ = flattest;
     }
@@ -67,6 +71,8 @@ class ShapeJudge final : public Judge {
     const RunView& run_;
     std::vector<double> design_; // [m²] area of the simulated sections
     double design_sum_ = 0;
+    double area_sum_ = 0; // [1] of the frames' relative areas
+    std::size_t frames_ = 0;
     Largest stretch_;
     Largest loss_;     // minus the relative area of a frame
     Largest flattest_; // the section that lost most in the worst frame

@@ -66,6 +66,7 @@ class TipJudge final : public Judge {
         double whole_path = 0;              // [m] of the root, over the run
         Vec3d first_in_head;                // [m] the tip as the head saw it first
         Largest swing;                      // [m] from there
+        Vec3d low, high;                    // [m] the tip's range in the head's axes
     };
 
     std::size_t tip(std::size_t w) const { return run_.groom.first_section[w + 1] - 1; }
@@ -98,7 +99,7 @@ class TipJudge final : public Judge {
     void follow(Wisp& wisp, const FrameView& view, const Vec3d& root, const Vec3d& end,
                 const Vec3d& in_head, std::size_t w) {
         if (first_) {
-            wisp.first_in_head = in_head;
+            wisp.first_in_head = wisp.low = wisp.high = in_head;
         } else {
             const double step = length(root - wisp.root);
             wisp.root_path += step, wisp.whole_path += step;
@@ -106,6 +107,10 @@ class TipJudge final : public Judge {
             if (view.time - window_start_ >= kWindow - 1e-6 && wisp.root_path >= kMovingRoot)
                 stillest_.see(-wisp.tip_path / wisp.root_path, at(w, tip(w), view));
         }
+        wisp.low = {std::min(wisp.low.x, in_head.x), std::min(wisp.low.y, in_head.y),
+                    std::min(wisp.low.z, in_head.z)};
+        wisp.high = {std::max(wisp.high.x, in_head.x), std::max(wisp.high.y, in_head.y),
+                     std::max(wisp.high.z, in_head.z)};
         wisp.swing.see(length(in_head - wisp.first_in_head), at(w, tip(w), view));
         wisp.root = root, wisp.tip = end;
     }
@@ -125,6 +130,14 @@ class TipJudge final : public Judge {
                 stiffest.see(-wisp.swing.value, wisp.swing.where);
         criteria.push_back(stiffest.empty() ? unanswered(swing, "no root moves 0.25 m in all")
                                             : answered(swing, -stiffest.value, stiffest.where));
+        double sum = 0;
+        for (const Wisp& wisp : wisps_) {
+            const Vec3d range = wisp.high - wisp.low;
+            sum += std::max({range.x, range.y, range.z});
+        }
+        criteria.push_back(
+            measured("tips_range", "widest range of a tip along one of the head's axes, on average",
+                     "m", sum / static_cast<double>(wisps_.size()), "`tips_swing` is bounded"));
     }
 
     const RunView& run_;
