@@ -41,7 +41,8 @@ float lowest_in_loop(const Ablation& ablation) {
     for (int step = 0; step < 200; ++step) {
         detection.detect(hair.view(), threads);
         response.engage(hair.view(), detection.contacts());
-        response.apply(hair.view(), hair.state, kStep, threads);
+        response.prepare(hair.view(), kStep, threads);
+        response.apply(hair.view(), hair.state, threads);
         for (std::uint32_t i = 2; i < hair.groom.sections(0); ++i) {
             const Slot slot = hair.slot(0, i);
             hair.state.position.set(slot, hair.x(0, i) + hair.v(0, i) * kStep);
@@ -121,7 +122,8 @@ TEST_CASE("M27a: an answer never adds energy, however many contacts share a poin
         } else {
             WispResponse response(desc);
             response.engage(hair.view(), detection.contacts());
-            response.apply(hair.view(), hair.state, 1e-3f, threads);
+            response.prepare(hair.view(), 1e-3f, threads);
+            response.apply(hair.view(), hair.state, threads);
         }
         return hair.energy({}) / before;
     };
