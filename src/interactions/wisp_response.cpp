@@ -66,7 +66,8 @@ void WispResponse::build(const HairView& hair, Set& set, bool with_friction) con
     set.contacts.clear();
     set.sections.clear();
     set.skeleton_count.assign(hair.groom.section_count(), 0);
-    set.envelope_count.assign(hair.groom.section_count() * k, 0);
+    set.skeleton_weight.assign(hair.groom.section_count(), 0);
+    set.envelope_weight.assign(hair.groom.section_count() * k, 0);
     for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
         const WispContact& c = contacts_[i];
         if (c.kind == WispContactKind::friction && !with_friction)
@@ -82,10 +83,14 @@ void WispResponse::build(const HairView& hair, Set& set, bool with_friction) con
             const auto& one = all.items[j];
             if (set.skeleton_count[one.section]++ == 0)
                 set.sections.push_back(one.section);
+            set.skeleton_weight[one.section] += c.weight;
             if (one.point.is_envelope())
-                ++set.envelope_count[one.section * k + one.point.k()];
+                set.envelope_weight[one.section * k + one.point.k()] += c.weight;
         }
     }
+    for (std::vector<float>* weights : {&set.skeleton_weight, &set.envelope_weight})
+        for (float& weight : *weights)
+            weight = std::max(weight, 1.f);
     std::sort(set.sections.begin(),
               set.sections.end()); // each once: the order of equals does not arise
 
@@ -115,11 +120,10 @@ Vec3 WispResponse::impulse(const HairView& hair, const Set& set, const WispConta
     for (int j = 0; j < all.count; ++j) {
         const auto& one = all.items[j];
         const SectionMass mass = SectionMass::of(hair, one.section);
-        const float shared = static_cast<float>(set.skeleton_count[one.section]);
+        const float shared = set.skeleton_weight[one.section] / contact.weight;
         if (one.point.is_envelope()) {
             const Vec3 d = half_line_direction(hair, hair.layout.slot(one.section), one.point.k());
-            const float own =
-                static_cast<float>(set.envelope_count[one.section * k + one.point.k()]);
+            const float own = set.envelope_weight[one.section * k + one.point.k()] / contact.weight;
             w += Symmetric3::identity(mass.across * shared);
             w += Symmetric3::outer(mass.normal, mass.extra * shared);
             w += Symmetric3::outer(d, mass.envelope * own - mass.across * shared);

@@ -42,7 +42,8 @@ class WispResponse {
         std::vector<Share> shares;
         std::vector<std::uint16_t>
             skeleton_count; ///< per section of the groom: contacts that use its skeleton point
-        std::vector<std::uint16_t> envelope_count; ///< per envelope point of the groom
+        std::vector<float> skeleton_weight; ///< of these contacts together, at least 1
+        std::vector<float> envelope_weight; ///< per envelope point of the groom, the same
     };
 
     void build(const HairView& hair, Set& set, bool with_friction) const;
