@@ -37,6 +37,7 @@ struct WispContact {
     float s = 0;               ///< place along the segment, 0 to 1
     float along = 0;           ///< axis contacts: place along the point's own segment, 0 to 1
     float density = 1;         ///< strand density in the segment there, relative to rest
+    float weight = 1;          ///< how much it counts, 0 at the surface to 1 well inside
 };
 
 /// The order in which contacts are kept: nothing depends on how they were found.

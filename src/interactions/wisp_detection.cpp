@@ -33,6 +33,14 @@ ClosestPoints closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, con
     return {s, t, s > 0 && s < 1 && t > 0 && t < 1};
 }
 
+/// A contact begins with nothing at the surface and counts in full where it is deeper than this:
+/// with full strength at once it takes its part of the shared masses from the others in one step,
+/// and a wisp that rests at another's surface beats.
+constexpr float kFullDepth = 0.8f;
+float weight_at(float depth) {
+    return std::clamp((1 - depth) / (1 - kFullDepth), 1e-3f, 1.f);
+}
+
 Vec3 segment_direction(const HairView& hair, std::uint32_t segment) {
     return normalized(hair.state.position.vec(hair.layout.slot(segment + 1)) -
                       hair.state.position.vec(hair.layout.slot(segment)));
@@ -128,7 +136,8 @@ void WispDetection::test_section(const HairView& hair, std::uint32_t section, Fo
                                       .point = {static_cast<std::uint8_t>(i)},
                                       .segment = segment,
                                       .s = place->s,
-                                      .density = geometry_.density(segment, place->s)});
+                                      .density = geometry_.density(segment, place->s),
+                                      .weight = weight_at(place->depth)});
         }
         if (!any)
             return;
@@ -177,7 +186,8 @@ void WispDetection::test_axes(const HairView& hair, std::size_t a_index, Found& 
         if (!c.inside)
             return;
         const Vec3 gap = (b0 + (b1 - b0) * c.t) - (a0 + (a1 - a0) * c.s);
-        if (length(gap) > reach(a, c.s, gap) + reach(b, c.t, -gap))
+        const float touching = reach(a, c.s, gap) + reach(b, c.t, -gap);
+        if (length(gap) > touching)
             return;
         // Told from the earlier segment, whichever was slender.
         const bool swap = b < a;
@@ -186,7 +196,8 @@ void WispDetection::test_axes(const HairView& hair, std::size_t a_index, Found& 
                                   .segment = swap ? a : b,
                                   .s = swap ? c.s : c.t,
                                   .along = swap ? c.t : c.s,
-                                  .density = geometry_.density(swap ? a : b, swap ? c.s : c.t)});
+                                  .density = geometry_.density(swap ? a : b, swap ? c.s : c.t),
+                                  .weight = weight_at(length(gap) / touching)});
     });
 }
 

@@ -20,6 +20,11 @@ float smooth_step(float x, float low, float high) {
     return t * t * (3 - 2 * t);
 }
 
+/// A contact's part of a mass that contacts of this weight together share (M27a).
+double part(const WispContact& contact, float together) {
+    return double{contact.weight} / std::max(together, 1.f);
+}
+
 /// Calls `work` with every index below `count`, in chunks.
 template <typename Work>
 void for_each(Threads& threads, std::size_t count, std::size_t per_chunk, Work&& work) {
@@ -76,11 +81,16 @@ void WispResponse::add_answer(const HairView& hair, const WispContact& contact) 
     answer.ends[1] = {participant(second), a, axis ? far(contact.section, a) : 0.f};
     answer.ends[2] = {participant(contact.segment), s - 1, (1 - s) * (1 - s)};
     answer.ends[3] = {participant(contact.segment + 1), -s, far(contact.segment, s)};
-    for (int i = 0; i < 4; ++i)
-        if (i != 1 || axis)
-            ++participants_[answer.ends[i].participant].skeleton_users;
+    for (int i = 0; i < 4; ++i) {
+        if (i == 1 && !axis)
+            continue;
+        Participant& p = participants_[answer.ends[i].participant];
+        ++p.shares;
+        p.skeleton_weight += contact.weight;
+    }
     if (contact.point.is_envelope())
-        ++participants_[answer.ends[0].participant].envelope_users[contact.point.k()];
+        participants_[answer.ends[0].participant].envelope_weight[contact.point.k()] +=
+            contact.weight;
     contacts_.push_back(contact);
     answers_.push_back(answer);
 }
@@ -90,7 +100,7 @@ void WispResponse::add_shares() {
     std::uint32_t next = 0;
     for (Participant& p : participants_) {
         p.first_share = p.last_share = next;
-        next += p.skeleton_users;
+        next += p.shares;
     }
     shares_.resize(next);
     for (std::uint32_t i = 0; i < answers_.size(); ++i) {
@@ -124,7 +134,7 @@ Symmetric3d WispResponse::impulse_per_velocity(const HairView& hair, const WispC
     Symmetric3d w;
     for (const End& end : answer.ends) {
         const Participant& p = participants_[end.participant];
-        const double shared = double{end.compliance} * p.skeleton_users;
+        const double shared = end.compliance / part(contact, p.skeleton_weight);
         w += Symmetric3d::identity(p.mass.across * shared);
         w += Symmetric3d::outer(Vec3d(p.mass.normal), p.mass.extra * shared);
     }
@@ -132,8 +142,8 @@ Symmetric3d WispResponse::impulse_per_velocity(const HairView& hair, const WispC
         const Participant& p = participants_[answer.ends[0].participant];
         const std::uint32_t k = answer.point.k();
         w += Symmetric3d::outer(Vec3d(p.half_lines[k]),
-                                double{p.mass.envelope} * p.envelope_users[k] -
-                                    double{p.mass.across} * p.skeleton_users);
+                                p.mass.envelope / part(contact, p.envelope_weight[k]) -
+                                    p.mass.across / part(contact, p.skeleton_weight));
     }
     if (!(w.trace() > 0))
         return {};

@@ -36,10 +36,12 @@ class WispResponse {
     struct Participant {
         std::uint32_t section = 0;
         std::uint32_t first_share = 0, last_share = 0;
-        std::uint32_t skeleton_users = 0; ///< contacts that share its skeleton point's mass
+        std::uint32_t shares = 0;  ///< contacts that use its skeleton point
+        float skeleton_weight = 0; ///< of these contacts together
         SectionMass mass;
         Vec3 half_lines[kMaxEnvelopePoints];
-        std::uint32_t envelope_users[kMaxEnvelopePoints] = {};
+        float envelope_weight[kMaxEnvelopePoints] =
+            {}; ///< of the contacts at each envelope point together
     };
     /// One end of a contact: a participant, and its weight in the relative velocity.
     struct End {

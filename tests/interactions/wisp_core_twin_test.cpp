@@ -117,6 +117,7 @@ TEST_CASE("the core finds the contacts that comparing everything with everything
             CHECK(std::fabs(f->second.s - w.s) < 1e-3f);
             CHECK(std::fabs(f->second.along - w.along) < 1e-3f);
             CHECK(std::fabs(f->second.density - w.density) < 1e-3f * w.density);
+            CHECK(std::fabs(f->second.weight - w.weight) < 1e-3f);
         }
         for (const auto& [place, f] : found)
             missed += !wanted.contains(place);

@@ -55,6 +55,11 @@ double density(const Wisp& wisp, std::size_t j, double s) {
     return std::min(rest / std::max(now, 1e-12), 10.0);
 }
 
+/// Ours: a contact counts for nothing at the surface and in full from a fifth of the depth on.
+double weight_at(double depth) {
+    return std::clamp((1 - depth) / 0.2, 1e-3, 1.0);
+}
+
 /// Every simulated segment of the hair, by its first section.
 std::vector<Site> simulated_segments(const Hair& hair) {
     std::vector<Site> segments;
@@ -142,6 +147,7 @@ void Search::find_points(const Site& section, std::vector<Contact>& found) const
             contact.segment = segment;
             contact.s = place->s;
             contact.density = density(wisp(segment), segment.section, place->s);
+            contact.weight = weight_at(place->depth);
             found.push_back(contact);
         }
 }
@@ -184,7 +190,8 @@ std::optional<Contact> Search::axes_touch(const Site& a, const Site& b) const {
         return std::nullopt;
 
     const Vec3d gap = (q + on_b * e) - (p + on_a * d);
-    if (length(gap) > reach(a, on_a, gap) + reach(b, on_b, -gap))
+    const double touching = reach(a, on_a, gap) + reach(b, on_b, -gap);
+    if (length(gap) > touching)
         return std::nullopt;
     Contact contact;
     contact.point = a;
@@ -193,6 +200,7 @@ std::optional<Contact> Search::axes_touch(const Site& a, const Site& b) const {
     contact.segment = b;
     contact.s = on_b;
     contact.density = density(wisp(b), b.section, on_b);
+    contact.weight = weight_at(length(gap) / touching);
     return contact;
 }
 

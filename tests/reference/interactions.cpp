@@ -39,7 +39,8 @@ std::vector<Part> parts_of(const Contact& c) {
     return parts;
 }
 
-/// How many contacts use each skeleton point, and each envelope point: they share its mass (M27a).
+/// The weights of the contacts that use each skeleton point, and each envelope point: by them they
+/// share its mass (M27a).
 struct Users {
     std::map<Site, double> skeleton;
     std::map<std::pair<Site, int>, double> envelope;
@@ -47,11 +48,13 @@ struct Users {
     explicit Users(const std::vector<Contact>& contacts) {
         for (const Contact& contact : contacts)
             for (const Part& part : parts_of(contact)) {
-                skeleton[part.site] += 1;
+                skeleton[part.site] += contact.weight;
                 if (part.k >= 0)
-                    envelope[{part.site, part.k}] += 1;
+                    envelope[{part.site, part.k}] += contact.weight;
             }
     }
+    /// What multiplies the inverse mass of a point for a contact of a weight, given the sum of all.
+    static double share(double sum, double weight) { return std::max(sum, 1.0) / weight; }
 };
 
 /// One answer to all contacts that act now.
@@ -84,15 +87,16 @@ class Answer {
 
     /// What a unit impulse through the contact does to the velocity there, with the share of the
     /// masses that it may use.
-    Matrix3 inverse_mass(const Part& part) const {
+    Matrix3 inverse_mass(const Part& part, double weight) const {
         if (!simulated(part.site))
             return {};
-        const Matrix3 skeleton = users_.skeleton.at(part.site) * inverse_inertia(part.site);
+        const Matrix3 skeleton =
+            Users::share(users_.skeleton.at(part.site), weight) * inverse_inertia(part.site);
         if (part.k < 0)
             return part.compliance * skeleton;
         const Vec3d d = ray(part);
         const Matrix3 across = Matrix3::scale(1) - Matrix3::outer(d, d);
-        const double alone = users_.envelope.at({part.site, part.k}) /
+        const double alone = Users::share(users_.envelope.at({part.site, part.k}), weight) /
                              hair_.wisps[part.site.wisp].envelope_mass[part.site.section];
         return product(product(across, skeleton), across) + alone * Matrix3::outer(d, d);
     }
@@ -104,7 +108,7 @@ class Answer {
     Vec3d impulse(const Contact& contact) const {
         Matrix3 W{};
         for (const Part& part : parts_of(contact))
-            W += inverse_mass(part);
+            W += inverse_mass(part, contact.weight);
         if (W.trace() == 0)
             return {}; // nothing that could move
         const Side p = point_side(hair_, frames_, contact), s = segment_side(hair_, contact);

@@ -29,6 +29,7 @@ struct Contact {
     double s = 0;          ///< place along the segment, 0 to 1
     bool friction = false; ///< quasi-parallel: viscous friction; else a collision
     double density = 1;    ///< of strands at the place, relative to rest
+    double weight = 1;     ///< how much it counts: little at the surface, 1 well inside
 };
 
 /// The frames of every wisp's sections.

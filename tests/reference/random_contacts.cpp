@@ -41,6 +41,7 @@ std::vector<Contact> random_contacts(const Hair& hair, std::size_t count, std::u
         c.s = random.between(0, 1);
         c.friction = random.chance(0.5);
         c.density = random.around(0.2, 8);
+        c.weight = random.chance(0.5) ? 1 : random.between(0.01, 1);
         if (!touches_itself(c))
             contacts.push_back(c);
     }

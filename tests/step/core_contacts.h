@@ -33,6 +33,7 @@ inline std::vector<reference::Contact> contacts_of(std::span<const WispContact> 
         contact.s = double{c.s};
         contact.friction = c.kind == WispContactKind::friction;
         contact.density = double{c.density};
+        contact.weight = double{c.weight};
         taken.push_back(contact);
     }
     return taken;

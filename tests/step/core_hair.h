@@ -69,6 +69,7 @@ struct CoreHair {
             contact.s = static_cast<float>(c.s);
             contact.along = static_cast<float>(c.along);
             contact.density = static_cast<float>(c.density);
+            contact.weight = static_cast<float>(c.weight);
             taken.push_back(contact);
         }
         return taken;
