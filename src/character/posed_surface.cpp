@@ -1,5 +1,7 @@
 #include "character/posed_surface.h"
 
+#include "character/box_tests.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,17 +10,6 @@ namespace {
 
 Triangle in_double(const std::array<Vec3, 3>& corners) {
     return {Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])};
-}
-
-/// Squared distance from a point to a box, never more than to any triangle in it, rounding
-/// included.
-double squared_distance(const Vec3d& p, const TriangleTree::Node& box) {
-    const auto gap = [](double x, float low, float high) {
-        return std::max({low - x, x - high, 0.0});
-    };
-    const Vec3d d{gap(p.x, box.low.x, box.high.x), gap(p.y, box.low.y, box.high.y),
-                  gap(p.z, box.low.z, box.high.z)};
-    return dot(d, d) * (1 - 1e-9) - 1e-18;
 }
 
 } // namespace
@@ -70,28 +61,34 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
     const auto nodes = tree_.nodes();
     if (nodes.empty())
         return best;
+    const BoxDistances distances(p);
     struct Entry {
-        std::uint32_t node;
-        double squared;
+        std::uint32_t first, count;
+        float squared;
     };
     std::array<Entry, TriangleTree::kDepth> stack;
     std::size_t depth = 0;
-    stack[depth++] = {0, squared_distance(p, nodes[0])};
+    stack[depth++] = {};
     while (depth > 0) {
         const Entry entry = stack[--depth];
-        if (entry.squared > limit)
+        if (double(entry.squared) > limit)
             continue;
-        const TriangleTree::Node& node = nodes[entry.node];
-        for (std::uint32_t i = 0; i < node.count; ++i)
-            look_at(tree_.order()[node.next + i], in_double(corners_[node.next + i]));
-        if (node.count > 0)
+        for (std::uint32_t i = entry.first; i < entry.first + entry.count; ++i)
+            look_at(tree_.order()[i], in_double(corners_[i]));
+        if (entry.count > 0)
             continue;
-        Entry near{entry.node + 1, squared_distance(p, nodes[entry.node + 1])};
-        Entry far{node.next, squared_distance(p, nodes[node.next])};
-        if (far.squared < near.squared)
-            std::swap(near, far);
-        stack[depth++] = far;
-        stack[depth++] = near;
+        const TriangleTree::Node& node = nodes[entry.first];
+        const auto squared = distances.squared(node);
+        // sorted in, the nearest on top
+        const std::size_t bottom = depth;
+        for (std::size_t box = 0; box < node.boxes; ++box) {
+            if (double(squared[box]) > limit)
+                continue;
+            std::size_t place = depth++;
+            for (; place > bottom && stack[place - 1].squared < squared[box]; --place)
+                stack[place] = stack[place - 1];
+            stack[place] = {node.first[box], node.count[box], squared[box]};
+        }
     }
     return best;
 }
@@ -102,53 +99,59 @@ void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlac
     if (nodes.empty())
         return;
     const double limit = radius * radius;
+    const BoxDistances distances(p);
     std::array<std::uint32_t, TriangleTree::kDepth> stack;
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
-        const std::uint32_t at = stack[--depth];
-        const TriangleTree::Node& node = nodes[at];
-        if (squared_distance(p, node) > limit)
-            continue;
-        for (std::uint32_t i = node.next; i < node.next + node.count; ++i) {
-            const SurfacePlace place{tree_.order()[i],
-                                     closest_on_triangle(p, in_double(corners_[i]))};
-            if (place.closest.squared <= limit)
-                places.push_back(place);
+        const TriangleTree::Node& node = nodes[stack[--depth]];
+        const auto squared = distances.squared(node);
+        for (std::size_t box = 0; box < node.boxes; ++box) {
+            if (double(squared[box]) > limit)
+                continue;
+            const std::uint32_t first = node.first[box], end = first + node.count[box];
+            for (std::uint32_t i = first; i < end; ++i) {
+                const SurfacePlace place{tree_.order()[i],
+                                         closest_on_triangle(p, in_double(corners_[i]))};
+                if (place.closest.squared <= limit)
+                    places.push_back(place);
+            }
+            if (first == end)
+                stack[depth++] = first;
         }
-        if (node.count > 0)
-            continue;
-        stack[depth++] = node.next;
-        stack[depth++] = at + 1;
     }
     std::sort(places.begin(), places.end(),
               [](const SurfacePlace& a, const SurfacePlace& b) { return a.triangle < b.triangle; });
 }
 
-/// Calls visit(triangle, hit) for the triangles that the line crosses, until it returns false. The
-/// line is cut at `end` only as far as whole boxes go: hits beyond it may come too.
-template <typename Visit>
-void PosedSurface::along(const LineCrossing& line, double end, Visit&& visit) const {
+/// Calls visit(triangle, hit) for the triangles that the line from `origin` along `direction`
+/// crosses, until it returns false. The line is cut at `end` only as far as whole boxes go: hits
+/// beyond it may come too.
+template <typename Visit> void PosedSurface::along(const Vec3d& origin, const Vec3d& direction,
+                                                   double end, Visit&& visit) const {
     const auto nodes = tree_.nodes();
     if (nodes.empty())
         return;
+    const LineCrossing line(origin, direction);
+    const BoxCrossings crossings(origin, direction, end);
     std::array<std::uint32_t, TriangleTree::kDepth> stack;
     std::size_t depth = 0;
     stack[depth++] = 0;
     while (depth > 0) {
-        const std::uint32_t at = stack[--depth];
-        const TriangleTree::Node& node = nodes[at];
-        if (!line.may_meet(node.low, node.high, end))
-            continue;
-        for (std::uint32_t i = node.next; i < node.next + node.count; ++i) {
-            const LineCrossing::Hit hit = line.cross(in_double(corners_[i]));
-            if (hit.sign != 0 && !visit(tree_.order()[i], hit))
-                return;
+        const TriangleTree::Node& node = nodes[stack[--depth]];
+        const auto apart = crossings.apart(node);
+        for (std::size_t box = 0; box < node.boxes; ++box) {
+            if (apart[box] > 0)
+                continue;
+            const std::uint32_t first = node.first[box], last = first + node.count[box];
+            for (std::uint32_t i = first; i < last; ++i) {
+                const LineCrossing::Hit hit = line.cross(in_double(corners_[i]));
+                if (hit.sign != 0 && !visit(tree_.order()[i], hit))
+                    return;
+            }
+            if (first == last)
+                stack[depth++] = first;
         }
-        if (node.count > 0)
-            continue;
-        stack[depth++] = node.next;
-        stack[depth++] = at + 1;
     }
 }
 
@@ -156,7 +159,7 @@ void PosedSurface::crossings(const Vec3d& a, const Vec3d& b, std::vector<Crossin
     found.clear();
     if (a == b)
         return;
-    along(LineCrossing(a, b - a), 1, [&](std::uint32_t triangle, const LineCrossing::Hit& hit) {
+    along(a, b - a, 1, [&](std::uint32_t triangle, const LineCrossing::Hit& hit) {
         if (hit.at >= 0 && hit.at < 1)
             found.push_back({triangle, hit.sign, hit.at});
         return true;
@@ -170,7 +173,7 @@ bool PosedSurface::crosses(const Vec3d& a, const Vec3d& b) const {
     if (a == b)
         return false;
     bool any = false;
-    along(LineCrossing(a, b - a), 1, [&](std::uint32_t, const LineCrossing::Hit& hit) {
+    along(a, b - a, 1, [&](std::uint32_t, const LineCrossing::Hit& hit) {
         any = hit.at >= 0 && hit.at < 1;
         return !any;
     });
@@ -178,10 +181,9 @@ bool PosedSurface::crosses(const Vec3d& a, const Vec3d& b) const {
 }
 
 bool PosedSurface::outside_bounds(const Vec3d& p) const {
-    const auto nodes = tree_.nodes();
-    if (nodes.empty())
+    if (triangles_.empty())
         return true;
-    const Vec3 &low = nodes[0].low, &high = nodes[0].high;
+    const auto& [low, high] = tree_.bounds();
     return p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y || p.z < low.z ||
            p.z > high.z;
 }
@@ -191,19 +193,18 @@ int PosedSurface::winding(const Vec3d& p) const {
         return 0;
     // Out through the nearest side of the box: the shortest way meets the fewest triangles. Any way
     // gives the same sum.
-    const Vec3d low(tree_.nodes()[0].low), high(tree_.nodes()[0].high);
+    const Vec3d low(tree_.bounds().low), high(tree_.bounds().high);
     const double way[6] = {p.x - low.x,  high.x - p.x, p.y - low.y,
                            high.y - p.y, p.z - low.z,  high.z - p.z};
     const Vec3d direction[6] = {{-1, 0, 0}, {1, 0, 0},  {0, -1, 0},
                                 {0, 1, 0},  {0, 0, -1}, {0, 0, 1}};
     const auto side = static_cast<std::size_t>(std::min_element(way, way + 6) - way);
     int entered = 0;
-    along(LineCrossing(p, direction[side]), way[side],
-          [&](std::uint32_t, const LineCrossing::Hit& hit) {
-              if (hit.at >= 0)
-                  entered += hit.sign;
-              return true;
-          });
+    along(p, direction[side], way[side], [&](std::uint32_t, const LineCrossing::Hit& hit) {
+        if (hit.at >= 0)
+            entered += hit.sign;
+        return true;
+    });
     return -entered;
 }
 

@@ -66,7 +66,8 @@ class PosedSurface {
     bool inside(const Vec3d& p) const { return winding(p) > 0; }
 
   private:
-    template <typename Visit> void along(const LineCrossing& line, double end, Visit&& visit) const;
+    template <typename Visit>
+    void along(const Vec3d& origin, const Vec3d& direction, double end, Visit&& visit) const;
     bool outside_bounds(const Vec3d& p) const;
 
     std::span<const std::array<std::uint32_t, 3>> triangles_;

@@ -108,22 +108,4 @@ LineCrossing::Hit LineCrossing::cross(const Triangle& t) const {
     return {-winding, std::clamp(where, first, last)};
 }
 
-bool LineCrossing::may_meet(const Vec3& low, const Vec3& high, double end) const {
-    const Vec3d lo = Vec3d(low) - origin_, hi = Vec3d(high) - origin_;
-    // Widened by more than the rounding of `see`, which stays under 1e-15 of the coordinates.
-    const double slack = 1e-12 * (1 + std::abs(lo.x) + std::abs(lo.y) + std::abs(lo.z) +
-                                  std::abs(hi.x) + std::abs(hi.y) + std::abs(hi.z));
-    const double tip = end / per_z_;
-    const double z0 = std::max(component(lo, z_), std::min(0.0, tip)) - slack;
-    const double z1 = std::min(component(hi, z_), std::max(0.0, tip)) + slack;
-    if (z0 > z1)
-        return false;
-    const auto apart = [&](int axis, double shear) {
-        const double a = shear * z0, b = shear * z1;
-        return component(lo, axis) - std::max(a, b) > slack ||
-               component(hi, axis) - std::min(a, b) < -slack;
-    };
-    return !apart(x_, shear_x_) && !apart(y_, shear_y_);
-}
-
 } // namespace mane

@@ -37,9 +37,6 @@ class LineCrossing {
     };
     Hit cross(const Triangle& t) const;
 
-    /// Whether the part of the line between 0 and `end` may meet the box; never a wrong no.
-    bool may_meet(const Vec3& low, const Vec3& high, double end) const;
-
   private:
     struct Seen {
         double x, y, at;

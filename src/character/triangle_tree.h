@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/four.h"
 #include "mane/vec.h"
 
 #include <array>
@@ -15,11 +16,17 @@ namespace mane {
 /// and the large triangles of a cap alike, and is refilled from nothing at every detection.
 class TriangleTree {
   public:
-    struct Node {
+    /// A node holds four boxes side by side, [axis][box].
+    static constexpr std::size_t kBoxes = 4;
+    struct Box {
         Vec3 low, high;
-        std::uint32_t next = 0;  ///< leaf: its first place in `order`; else its second child (the
-                                 ///< first one follows it)
-        std::uint32_t count = 0; ///< triangles of a leaf, 0 for an inner node
+    };
+    struct Node {
+        Four low[3]{}, high[3]{};
+        /// What is in each box: a node, or triangles from this place of `order` on.
+        std::array<std::uint32_t, kBoxes> first{};
+        std::array<std::uint32_t, kBoxes> count{}; ///< of triangles, 0 for a node
+        std::uint32_t boxes = 0;                   ///< in use
     };
     static constexpr std::size_t kDepth = 64; ///< entries that a traversal may have to remember
 
@@ -33,12 +40,19 @@ class TriangleTree {
     std::span<const Node> nodes() const { return nodes_; }
     /// The triangle at each place of the leaves.
     std::span<const std::uint32_t> order() const { return order_; }
+    /// The box that holds all triangles.
+    const Box& bounds() const { return bounds_; }
 
   private:
-    void split(std::span<const Vec3> centres, std::uint32_t first, std::uint32_t count);
+    struct Range {
+        std::uint32_t first, count;
+    };
+    void split(std::span<const Vec3> centres, Range range);
+    Range halve(std::span<const Vec3> centres, Range& range);
 
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;
+    Box bounds_;
 };
 
 } // namespace mane

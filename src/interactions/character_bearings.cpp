@@ -23,13 +23,13 @@ double CharacterBearings::clear(std::uint32_t i, std::uint32_t b, const Vec3& p,
     const Surface& surface = *bodies_[b].surface;
     const double left = carried.clear - distance(p, carried.start) -
                         surface.fastest() * surface.duration() - kRounding;
-    return left > double(enough) ? left : escape_.distance(b, p, double(enough), carried.triangle);
+    return left >= double(enough) ? left : escape_.distance(b, p, double(enough), carried.triangle);
 }
 
 double CharacterBearings::clear(std::uint32_t i, std::uint32_t b) {
     double& known = known_[at(i, b)].clear;
     if (known < 0)
-        known = clear(i, b, wisp_.x[i], wisp_.largest_radius(i));
+        known = clear(i, b, wisp_.x[i], enough(i));
     return known;
 }
 

@@ -27,8 +27,11 @@ class CharacterBearings {
     /// The radius of a clear ball round `p`, near section i [m]: the distance to body `b` where
     /// that is under `enough`, else at least `enough`.
     double clear(std::uint32_t i, std::uint32_t b, const Vec3& p, float enough) const;
-    /// The same round section i; enough is the largest radius of its envelope.
+    /// The same round section i.
     double clear(std::uint32_t i, std::uint32_t b);
+    /// [m] a ball round section i that holds all of its envelope.
+    float enough(std::uint32_t i) const { return wisp_.largest_radius(i) + kOver; }
+    static constexpr float kOver = 1e-5f; ///< [m] over the rounding of positions
 
     bool inside(std::uint32_t i, std::uint32_t b);
     /// Whether `p`, with a clear ball round it, is inside body `b`; section i is near.

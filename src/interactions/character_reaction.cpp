@@ -217,6 +217,8 @@ class Reactor {
             return;
         const Vec3 centre = wisp_.x[i];
         const double clear = bearings_.clear(i, b);
+        if (clear >= double(bearings_.enough(i)))
+            return;
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             const WispPoint point{i, 0, line, 1, 0};
             const float share = share_outside(b, centre, wisp_.position(point), clear);
@@ -238,10 +240,11 @@ class Reactor {
         if (!WispCopy::simulated(i - 1) || exempt(i - 1, b))
             return;
         const Vec3 centre = halfway(i, {});
-        // in a curve of four sections an offset can exceed the largest of its two middle ones by an
-        // eighth
+        const float farthest = farthest_halfway(i) + CharacterBearings::kOver;
+        const double clear = bearings_.clear(i, b, centre, farthest);
+        if (clear >= double(farthest))
+            return;
         const float reach = std::max(wisp_.largest_radius(i - 1), wisp_.largest_radius(i));
-        const double clear = bearings_.clear(i, b, centre, reach * 1.2f);
         if (clear < double(reach) && bearings_.inside(i, b, centre, clear))
             return;
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
@@ -296,6 +299,15 @@ class Reactor {
             return wisp_.position(p);
         };
         return (at(i - 1) + at(i)) * (9.0f / 16) - (at(i - 2) + at(i + 1)) * (1.0f / 16);
+    }
+
+    /// No point of a strand's curve there is farther from the axis.
+    float farthest_halfway(std::uint32_t i) const {
+        const auto radius = [&](std::uint32_t section) {
+            return wisp_.largest_radius(std::min(section, wisp_.sections() - 1));
+        };
+        return (radius(i - 1) + radius(i)) * (9.0f / 16) +
+               (radius(i - 2) + radius(i + 1)) * (1.0f / 16);
     }
 
     WispCopy& wisp_;

@@ -1,0 +1,116 @@
+/// What the penetration reaction knows, against the queries that it saves.
+
+#include "character/skinning.h"
+#include "interactions/character_bearings.h"
+#include "interactions/toy_hair.h"
+#include "mane/character.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace mane;
+using namespace mane::test;
+
+namespace {
+
+constexpr double kBlock = 1.0 / 120;
+constexpr int kWisps = 300, kSections = 8;
+
+struct Dice {
+    std::mt19937 bits{7};
+    float within(float low, float high) {
+        return low + (high - low) * (static_cast<float>(bits() >> 8) * 0x1p-24f);
+    }
+    Vec3 ball(float size) {
+        return {within(-size, size), within(-size, size), within(-size, size)};
+    }
+};
+
+/// The built-in bust over one block of its whirl.
+struct Whirl {
+    Body bust = make_bust();
+    Surface surface{bust.mesh};
+
+    Whirl() {
+        surface.reset(pose(5));
+        surface.advance(pose(5 + kBlock), kBlock);
+    }
+    std::vector<Vec3> pose(double time) const {
+        const auto motion = builtin_motion();
+        std::vector<BonePose> bones(motion->bone_count());
+        std::vector<Vec3> positions(bust.mesh.vertices.size()), velocities(positions.size());
+        motion->evaluate(time, bones);
+        pose_mesh(bust, bones, {}, positions, velocities);
+        return positions;
+    }
+};
+
+/// What a detection that searches as far as `radius` knows of a point.
+CarriedPoint known_at_start(const Surface& surface, const Vec3& p, double radius) {
+    CarriedPoint carried;
+    carried.start = p;
+    carried.clear = radius;
+    if (const auto place = surface.start().nearest(Vec3d(p), radius)) {
+        carried.clear = std::sqrt(place->closest.squared);
+        carried.triangle = place->triangle;
+    }
+    return carried;
+}
+
+} // namespace
+
+TEST_CASE("what the reaction knows without asking is what it would be told") {
+    Dice dice;
+    const Whirl whirl;
+    const std::vector<ContactBody> bodies{{&whirl.surface, false}};
+    Escape escape(bodies, 0.001);
+    int saved_searches = 0, inside = 0, free_axes = 0, crossed_axes = 0;
+    for (int w = 0; w < kWisps; ++w) {
+        // from the head's middle out and back: through ears, along the skin, and far away
+        std::vector<Vec3> points{Vec3(0, 1.55f, 0) + dice.ball(0.12f)};
+        const Vec3 way = dice.ball(0.05f);
+        while (points.size() < kSections)
+            points.push_back(points.back() + way + dice.ball(0.03f));
+        ToyHair hair({points}, 4, 0.012f);
+        hair.find_frames();
+        WispCopy wisp;
+        wisp.load(hair.view(), 0);
+        std::vector<CarriedPoint> carried;
+        for (Vec3& x : wisp.x) {
+            carried.push_back(known_at_start(whirl.surface, x, dice.within(0, 0.15f)));
+            x += dice.ball(0.01f);
+        }
+
+        CharacterBearings bearings(wisp, bodies, carried, escape);
+        for (std::uint32_t i = 2; i < wisp.sections(); ++i) {
+            if (dice.within(0, 1) < 0.2f) {
+                wisp.x[i] += dice.ball(0.02f);
+                bearings.forget(i);
+            }
+            const Vec3 p = wisp.x[i];
+            CHECK(bearings.inside(i, 0) == escape.inside(p, 0));
+            CHECK(bearings.axis_free(i, 0) == escape.free(0, wisp.x[i - 1], p));
+            inside += bearings.inside(i, 0);
+            ++(bearings.axis_free(i, 0) ? free_axes : crossed_axes);
+
+            const double far = escape.distance(0, p, 1, PosedSurface::kNoGuess);
+            const double clear = bearings.clear(i, 0);
+            CHECK(clear <= far);
+            CHECK(clear >= std::min(far, double(bearings.enough(i))));
+            saved_searches += clear > double(bearings.enough(i));
+
+            const Vec3 near = p + dice.ball(0.02f);
+            const double ball = bearings.clear(i, 0, near, 0.02f);
+            CHECK(bearings.inside(i, 0, near, ball) == escape.inside(near, 0));
+            if (bearings.clear_way(i, 0, near, ball))
+                CHECK(escape.free(0, p, near));
+        }
+    }
+    // each kind of answer was given
+    CHECK(saved_searches > 100);
+    CHECK(inside > 100);
+    CHECK(free_axes > 100);
+    CHECK(crossed_axes > 100);
+}
