@@ -346,6 +346,10 @@ TEST_CASE("intersections are counted for both segments, and the run's own count 
     CHECK(report["intersections_agree"].value == doctest::Approx(0.5).epsilon(0.01));
     run.statistics = "{}";
     CHECK(run.judge()["intersections_agree"].verdict == Verdict::not_judged);
+
+    run.statistics = "{\"intersections_per_segment\": 0}";
+    run.scene.simulation.wisps.mode = WispContactMode::off;
+    CHECK(run.judge()["intersections_agree"].verdict == Verdict::not_judged);
 }
 
 TEST_CASE("mean area: half of the frames at half the area make three quarters") {
