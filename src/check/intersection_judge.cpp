@@ -47,6 +47,10 @@ class IntersectionJudge final : public Judge {
         const Question agreement{"intersections_agree",
                                  "the run's own count of them against this one, difference", "1",
                                  kAgreement};
+        if (run_.simulation.wisps.mode == WispContactMode::off) {
+            criteria.push_back(unanswered(agreement, "wisps are off: the run looks for none"));
+            return;
+        }
         const std::optional<double> own = counted_by_run();
         if (!own || mean == 0) {
             criteria.push_back(unanswered(agreement, own ? "nothing intersects"

@@ -346,6 +346,93 @@ TEST_CASE("intersections are counted for both segments, and the run's own count 
     CHECK(report["intersections_agree"].value == doctest::Approx(0.5).epsilon(0.01));
     run.statistics = "{}";
     CHECK(run.judge()["intersections_agree"].verdict == Verdict::not_judged);
+
+    run.statistics = "{\"intersections_per_segment\": 0}";
+    run.scene.simulation.wisps.mode = WispContactMode::off;
+    CHECK(run.judge()["intersections_agree"].verdict == Verdict::not_judged);
+}
+
+TEST_CASE("mean area: half of the frames at half the area make three quarters") {
+    SyntheticRun run = good_run();
+    for (std::size_t f = 0; f < run.frames.size() / 2; ++f)
+        for (float& radius : run.frames[f].radius)
+            radius *= std::sqrt(0.5f);
+    CHECK(run.judge()["area_mean"].value == doctest::Approx(0.75).epsilon(1e-5));
+}
+
+TEST_CASE("the range of tips is that of the widest of the head's axes, averaged over wisps") {
+    SyntheticRun run = good_run();
+    for (std::size_t w = 0; w < 3; ++w) {
+        run.position(frame_at(5), w, kTip).z += 0.01f * float(w);
+        run.position(frame_at(6), w, kTip).y -= 0.3f;
+    }
+    CHECK(run.judge()["tips_range"].value == doctest::Approx(0.3).epsilon(1e-4));
+}
+
+TEST_CASE("energy that halves in a known time is under 1 % when it must be") {
+    SyntheticRun run = good_run();
+    constexpr double kRate = 1.5; // [1/s] of velocities: energy falls twice as fast
+    for (Frame& f : run.frames)
+        for (Vec3& v : f.velocity)
+            v = {float(std::exp(-kRate * (f.time - kStop))), 0, 0};
+    const double expected = std::log(100.0) / (2 * kRate);
+    const double value = run.judge()["energy_decay"].value;
+    CHECK(value <= expected);
+    CHECK(value > expected - 1 / kFrameRate - 1e-9);
+
+    for (std::size_t f = frame_at(2.5); f < run.frames.size(); ++f)
+        for (Vec3& v : run.frames[f].velocity)
+            v = {1, 0, 0};
+    CHECK(std::isnan(run.judge()["energy_decay"].value));
+}
+
+namespace {
+
+/// Lays wisp 1 at a distance beside wisp 0.
+void lay_beside(SyntheticRun& run, std::vector<Vec3>& position, float distance) {
+    for (std::size_t i = 0; i <= kTip; ++i)
+        position[run.section(1, i)] = position[run.section(0, i)] + Vec3{0, 0, distance};
+}
+
+} // namespace
+
+TEST_CASE("crossings are the intersections that lie across") {
+    SyntheticRun run = good_run();
+    for (Frame& f : run.frames)
+        lay_beside(run, f.position, 0.002f);
+    CheckReport report = run.judge();
+    CHECK(report["intersections"].value > 0);
+    CHECK(report["crossings"].value == 0);
+
+    // Wisp 1 goes straight through the middle of wisp 0's segment 4, at a right angle.
+    for (Frame& f : run.frames) {
+        const Vec3 a = f.position[run.section(0, 4)], b = f.position[run.section(0, 5)];
+        const Vec3 along = normalized(cross(b - a, Vec3{0, 0, 1}));
+        for (std::size_t i = 0; i <= kTip; ++i)
+            f.position[run.section(1, i)] = (a + b) * 0.5f + along * (0.05f * (float(i) - 4));
+    }
+    report = run.judge();
+    CHECK(report["crossings"].value > 0);
+    CHECK(report["crossings"].value == report["intersections"].value);
+}
+
+TEST_CASE(
+    "a parting is where neighbours of the design intersect nowhere; how many last is counted") {
+    SyntheticRun run = good_run();
+    CHECK(std::isnan(run.judge()["partings"].value)); // no wisp is next to another
+
+    lay_beside(run, run.setup.groom.position, 0.002f);
+    for (Frame& f : run.frames)
+        lay_beside(run, f.position, f.time < 6 - 1e-6 ? 0.002f : 0.05f);
+    const double after = double(run.frames.size() - frame_at(6)) / double(run.frames.size());
+    CHECK(run.judge()["partings"].value == doctest::Approx(after));
+    CHECK(run.judge()["partings_last"].value == 1);
+
+    // Open and closed for half a second in turn: none that is open is open half a second later.
+    for (Frame& f : run.frames)
+        lay_beside(run, f.position, f.index / frame_at(0.5) % 2 == 0 ? 0.002f : 0.05f);
+    CHECK(run.judge()["partings"].value == doctest::Approx(0.5).epsilon(0.05));
+    CHECK(run.judge()["partings_last"].value == 0);
 }
 
 TEST_CASE("mean area: half of the frames at half the area make three quarters") {
