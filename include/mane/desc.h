@@ -1,7 +1,8 @@
 #pragma once
 
-/// What a user sets. Conventions of every file here: SI units, the unit in brackets in each comment; right-handed axes,
-/// Y up, the character faces +Z; "ratio" and "share" are pure numbers [1]. Ranges and help texts: `mane/fields.h`.
+/// What a user sets. Conventions of every file here: SI units, the unit in brackets in each
+/// comment; right-handed axes, Y up, the character faces +Z; "ratio" and "share" are pure numbers
+/// [1]. Ranges and help texts: `mane/fields.h`.
 
 #include "mane/vec.h"
 
@@ -10,6 +11,9 @@
 #include <vector>
 
 namespace mane {
+
+// One parameter a line, with its unit and meaning: tables, which a formatter would fold.
+// clang-format off
 
 /// A value that changes linearly along a wisp.
 struct Ramp {
@@ -114,5 +118,7 @@ struct SimulationDesc {
     CharacterContactDesc character;
     ScheduleDesc schedule;
 };
+
+// clang-format on
 
 } // namespace mane

@@ -27,12 +27,12 @@ struct MeshReport {
 /// The report of any mesh.
 MeshReport inspect_mesh(const Mesh& mesh);
 
-/// Reads the polygons of a Wavefront OBJ file (`v` and `f`; all other statements are skipped) as one
-/// mesh. Polygons become fans of triangles. All vertices stay, so that indices are the file's, but
-/// of several at the same position (seams of textures) the triangles use the first.
-/// Coordinates are multiplied by `unit` [m]. Throws InputError with the line for a missing or
-/// truncated file, an index that names no vertex, a coordinate that is not a finite number, and for
-/// a mesh without area.
+/// Reads the polygons of a Wavefront OBJ file (`v` and `f`; all other statements are skipped) as
+/// one mesh. Polygons become fans of triangles. All vertices stay, so that indices are the file's,
+/// but of several at the same position (seams of textures) the triangles use the first. Coordinates
+/// are multiplied by `unit` [m]. Throws InputError with the line for a missing or truncated file,
+/// an index that names no vertex, a coordinate that is not a finite number, and for a mesh without
+/// area.
 Mesh read_obj(const std::string& path, double unit = 1, MeshReport* report = nullptr);
 
 /// Reads a BVH file: any hierarchy, several roots, channels in any order, End Sites. Throws

@@ -15,8 +15,12 @@ constexpr std::uint64_t mix(std::uint64_t x) {
 }
 
 /// The bits of a number. Not std::bit_cast: Emscripten's C++ library has none yet.
-inline std::uint32_t bits_of(float x) { return __builtin_bit_cast(std::uint32_t, x); }
-inline std::uint64_t bits_of(double x) { return __builtin_bit_cast(std::uint64_t, x); }
+inline std::uint32_t bits_of(float x) {
+    return __builtin_bit_cast(std::uint32_t, x);
+}
+inline std::uint64_t bits_of(double x) {
+    return __builtin_bit_cast(std::uint64_t, x);
+}
 
 /// A running hash over the bits of numbers, in order; the same on every machine.
 class StateHash {

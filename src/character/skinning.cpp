@@ -7,7 +7,8 @@
 namespace mane {
 namespace {
 
-// A bone's pose and its derivative, ready to be applied: nine multiplications a vertex each instead of a quaternion's product.
+// A bone's pose and its derivative, ready to be applied: nine multiplications a vertex each instead
+// of a quaternion's product.
 struct BoneMatrix {
     Vec3d x, y, z, shift; // columns; shift from the origin
     Vec3d x_rate, y_rate, z_rate, shift_rate;
@@ -41,10 +42,11 @@ void pose_rigid(const Body& body, const BoneMatrix& bone, std::span<Vec3> positi
 void pose_mesh(const Body& body, std::span<const BonePose> bones, const Vec3d& origin,
                std::span<Vec3> positions, std::span<Vec3> velocities) {
     if (bones.size() > kMostBones)
-        throw InputError(body.name + ": " + std::to_string(bones.size()) + " bones, expected at most " +
-                         std::to_string(kMostBones));
+        throw InputError(body.name + ": " + std::to_string(bones.size()) +
+                         " bones, expected at most " + std::to_string(kMostBones));
     BoneMatrix matrices[kMostBones];
-    for (std::size_t b = 0; b < bones.size(); ++b) matrices[b] = BoneMatrix(bones[b], origin);
+    for (std::size_t b = 0; b < bones.size(); ++b)
+        matrices[b] = BoneMatrix(bones[b], origin);
     if (body.skin.bones.empty()) {
         pose_rigid(body, matrices[0], positions, velocities);
         return;
@@ -54,7 +56,8 @@ void pose_mesh(const Body& body, std::span<const BonePose> bones, const Vec3d& o
         Vec3d position, velocity;
         for (std::size_t k = 0; k < Skin::kInfluences; ++k) {
             const double weight = body.skin.weights[v][k];
-            if (weight == 0) continue;
+            if (weight == 0)
+                continue;
             const BoneMatrix& bone = matrices[body.skin.bones[v][k]];
             position += bone.position(rest) * weight;
             velocity += bone.velocity(rest) * weight;

@@ -100,8 +100,8 @@ std::vector<Vec3> skinned_vertices(const Body& body, std::span<const BonePose> b
     vertices.reserve(body.mesh.vertices.size());
     const auto posed = [&](std::size_t bone, const Vec3d& rest) {
         if (bone >= bones.size())
-            throw InputError(body.name + ": its skin names bone " + std::to_string(bone) + ", it has " +
-                             std::to_string(bones.size()));
+            throw InputError(body.name + ": its skin names bone " + std::to_string(bone) +
+                             ", it has " + std::to_string(bones.size()));
         return bones[bone].rotation.rotate(rest) + bones[bone].position;
     };
     for (std::size_t v = 0; v < body.mesh.vertices.size(); ++v) {

@@ -10,10 +10,12 @@ namespace {
 
 /// Bones that a body needs: its motion's, or, at rest, those that its skin names.
 std::size_t bone_count(const Body& body) {
-    if (body.motion) return body.motion->bone_count();
+    if (body.motion)
+        return body.motion->bone_count();
     std::size_t bones = 1;
     for (const auto& influences : body.skin.bones)
-        for (std::uint16_t bone : influences) bones = std::max<std::size_t>(bones, bone + 1u);
+        for (std::uint16_t bone : influences)
+            bones = std::max<std::size_t>(bones, bone + 1u);
     return bones;
 }
 
@@ -29,7 +31,8 @@ Cast::Cast(std::vector<Body> bodies) : bodies_(std::move(bodies)), posed_(bodies
 
 std::span<const BonePose> Cast::bones_at(std::size_t b, double time) const {
     bones_.assign(bone_count(bodies_[b]), BonePose{});
-    if (bodies_[b].motion) bodies_[b].motion->evaluate(time, bones_);
+    if (bodies_[b].motion)
+        bodies_[b].motion->evaluate(time, bones_);
     return bones_;
 }
 
@@ -53,13 +56,15 @@ void Cast::advance(double time, double seconds, const Vec3d& origin) {
 
 std::vector<ContactBody> Cast::contact_bodies() const {
     std::vector<ContactBody> list;
-    for (std::size_t b = 0; b < bodies_.size(); ++b) list.push_back({surfaces_[b].get(), bodies_[b].worn});
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+        list.push_back({surfaces_[b].get(), bodies_[b].worn});
     return list;
 }
 
 std::vector<std::string> Cast::names() const {
     std::vector<std::string> list;
-    for (const Body& body : bodies_) list.push_back(body.name);
+    for (const Body& body : bodies_)
+        list.push_back(body.name);
     return list;
 }
 
@@ -71,7 +76,8 @@ Vec3d Cast::on_head(const Vec3d& rest, double time) const {
 Vec3d Cast::carried_like(std::size_t vertex, const Vec3d& rest, double time) const {
     const std::span<const BonePose> bones = bones_at(0, time);
     const Skin& skin = bodies_[0].skin;
-    if (skin.bones.empty()) return bones[0].rotation.rotate(rest) + bones[0].position;
+    if (skin.bones.empty())
+        return bones[0].rotation.rotate(rest) + bones[0].position;
     Vec3d sum;
     for (int i = 0; i < Skin::kInfluences; ++i) {
         const BonePose& bone = bones[skin.bones[vertex][i]];

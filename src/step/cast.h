@@ -11,12 +11,14 @@
 
 namespace mane {
 
-/// All bodies of a world in motion: their posed vertices, and their surfaces over the present detection block.
+/// All bodies of a world in motion: their posed vertices, and their surfaces over the present
+/// detection block.
 class Cast {
   public:
     explicit Cast(std::vector<Body> bodies);
 
-    /// Poses every body at `time` [s], relative to `origin`: at the beginning of a frame, when the origin has moved.
+    /// Poses every body at `time` [s], relative to `origin`: at the beginning of a frame, when the
+    /// origin has moved.
     void begin(double time, const Vec3d& origin);
     /// Poses every body at the end of a block that is over at `time`, `seconds` after it began.
     void advance(double time, double seconds, const Vec3d& origin);
@@ -29,9 +31,11 @@ class Cast {
     std::vector<ContactBody> contact_bodies() const;
     std::vector<std::string> names() const;
 
-    /// World position [m] at `time` of a point fixed to the first body's head, given in its rest pose.
+    /// World position [m] at `time` of a point fixed to the first body's head, given in its rest
+    /// pose.
     Vec3d on_head(const Vec3d& rest, double time) const;
-    /// World position [m] at `time` of a point of the first body's rest pose that moves as its vertex `vertex` does.
+    /// World position [m] at `time` of a point of the first body's rest pose that moves as its
+    /// vertex `vertex` does.
     Vec3d carried_like(std::size_t vertex, const Vec3d& rest, double time) const;
 
   private:

@@ -37,7 +37,8 @@ constexpr InstructionSet kInstructionSets[] = {
 std::string names_of(std::int64_t targets) {
     std::string list;
     for (const InstructionSet& set : kInstructionSets)
-        if (set.target & targets) list += (list.empty() ? "" : ", ") + std::string(set.name);
+        if (set.target & targets)
+            list += (list.empty() ? "" : ", ") + std::string(set.name);
     return list;
 }
 
@@ -45,7 +46,9 @@ std::string names_of(std::int64_t targets) {
 
 HWY_EXPORT(all_kernels);
 
-std::int64_t sets_here() { return (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS; }
+std::int64_t sets_here() {
+    return (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
+}
 
 Kernels kernels_of(std::int64_t target) {
     // Highway keeps one choice per process; it is borrowed here only to read the table of kernels.
@@ -59,8 +62,12 @@ Kernels kernels_of(std::int64_t target) {
 
 #else // one set, chosen when the page was built
 
-std::int64_t sets_here() { return HWY_STATIC_TARGET; }
-Kernels kernels_of(std::int64_t) { return HWY_STATIC_DISPATCH(all_kernels)(); }
+std::int64_t sets_here() {
+    return HWY_STATIC_TARGET;
+}
+Kernels kernels_of(std::int64_t) {
+    return HWY_STATIC_DISPATCH(all_kernels)();
+}
 
 #endif
 
@@ -68,17 +75,20 @@ Kernels kernels_of(std::int64_t) { return HWY_STATIC_DISPATCH(all_kernels)(); }
 
 Kernels kernels_for(const std::string& instruction_set) {
     for (const InstructionSet& set : kInstructionSets) {
-        if (!(set.target & sets_here()) || (!instruction_set.empty() && instruction_set != set.name)) continue;
+        if (!(set.target & sets_here()) ||
+            (!instruction_set.empty() && instruction_set != set.name))
+            continue;
         Kernels kernels = kernels_of(set.target);
         kernels.instruction_set = set.name;
         return kernels;
     }
-    throw InputError("instruction set \"" + instruction_set + "\" is not available here; this machine has " +
-                     names_of(sets_here()));
+    throw InputError("instruction set \"" + instruction_set +
+                     "\" is not available here; this machine has " + names_of(sets_here()));
 }
 
 RootMotion::RootMotion(std::size_t packets) {
-    for (int end : {0, 1}) value[end] = slope[end] = Rows(packets, 3 * count);
+    for (int end : {0, 1})
+        value[end] = slope[end] = Rows(packets, 3 * count);
 }
 
 } // namespace mane

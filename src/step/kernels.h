@@ -36,7 +36,7 @@ struct KernelData {
     Vec3 uniform_wind;
     Vec3 gravity;
     float drag = 0;
-    float step = 0; ///< [s]
+    float step = 0;         ///< [s]
     Ablation ablation = {}; ///< of tests
 };
 

@@ -37,7 +37,7 @@ struct Simulation {
     WispResponse wisp_response;
     CharacterContacts character_contacts;
     std::vector<ContactBody> bodies; ///< their surfaces over the present block
-    Vec3d origin; ///< [m] world position of the state's origin
+    Vec3d origin;                    ///< [m] world position of the state's origin
 
     // scratch
     SectionFrames frames;

@@ -48,7 +48,8 @@ struct World::Data {
          double start_time, const RunOptions& options)
         : simulation(desc, groom, options), cast(std::move(bodies)), start(start_time) {
         head_middle = middle_of_roots();
-        require_stable_step(simulation.groom, double{desc.air.drag}, simulation.schedule.step_seconds());
+        require_stable_step(simulation.groom, double{desc.air.drag},
+                            simulation.schedule.step_seconds());
         simulation.origin = nearby_origin(start);
         simulation.bodies = cast.contact_bodies();
         cast.begin(start, simulation.origin);
