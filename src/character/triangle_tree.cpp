@@ -6,7 +6,7 @@
 namespace mane {
 namespace {
 
-constexpr std::uint32_t kLeaf = 4;
+constexpr std::uint32_t kLeaf = 2;
 
 Vec3 lower(const Vec3& a, const Vec3& b) {
     return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};

@@ -24,7 +24,14 @@ Slot WispCopy::slot(const HairView& hair, std::uint32_t section) const {
 }
 
 void WispCopy::load(const HairView& hair, std::uint32_t number) {
+    load(hair, number, 0, static_cast<std::uint32_t>(hair.groom.sections(number)));
+}
+
+void WispCopy::load(const HairView& hair, std::uint32_t number, std::uint32_t first,
+                    std::uint32_t end) {
     number_ = number;
+    first_ = first;
+    end_ = end;
     lines_ = hair.half_lines;
     const std::size_t n = hair.groom.sections(number);
     x.resize(n);
@@ -33,7 +40,7 @@ void WispCopy::load(const HairView& hair, std::uint32_t number) {
     directions.resize(n * k());
     radius.resize(n * k());
     radius_rate.resize(n * k());
-    for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t i = first; i < end; ++i) {
         const Slot here = slot(hair, i);
         x[i] = hair.state.position.vec(here);
         v[i] = hair.state.velocity.vec(here);
@@ -47,7 +54,7 @@ void WispCopy::load(const HairView& hair, std::uint32_t number) {
 }
 
 void WispCopy::store_velocities(const HairView& hair, State& state) const {
-    for (std::uint32_t i = 2; i < sections(); ++i) {
+    for (std::uint32_t i = std::max(first_, 2u); i < end_; ++i) {
         const Slot here = slot(hair, i);
         state.velocity.set(here, v[i]);
         for (std::uint32_t line = 0; line < k(); ++line)

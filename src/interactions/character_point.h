@@ -32,7 +32,9 @@ class WispCopy {
   public:
     /// Reads wisp `number` of `hair`: positions, frames, radii, velocities, masses.
     void load(const HairView& hair, std::uint32_t number);
-    /// Writes the simulated sections' velocities and rates back.
+    /// The same of its sections from `first` to before `end` only; the others hold nothing.
+    void load(const HairView& hair, std::uint32_t number, std::uint32_t first, std::uint32_t end);
+    /// Writes the velocities and rates of the simulated sections that were read back.
     void store_velocities(const HairView& hair, State& state) const;
     /// Writes a section's position and radii back.
     void store_place(const HairView& hair, std::uint32_t section, State& state) const;
@@ -77,7 +79,7 @@ class WispCopy {
     Vec3 offset(std::uint32_t section, const WispPoint& p) const;
     Vec3 offset_rate(std::uint32_t section, const WispPoint& p) const;
 
-    std::uint32_t number_ = 0;
+    std::uint32_t number_ = 0, first_ = 0, end_ = 0;
     std::span<const HalfLine> lines_;
     std::vector<SectionMass> mass_;
 };

@@ -159,12 +159,15 @@ void CharacterContacts::respond(const HairView& hair, const CharacterContactDesc
     const auto loss = static_cast<float>(1 - exponential(-double(desc.friction) * double(dt)));
     threads.run((wisps + kWispsPerChunk - 1) / kWispsPerChunk, [&](std::size_t chunk) {
         WispCopy wisp;
-        const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
-        for (std::size_t i = chunk * kWispsPerChunk; i < end; ++i) {
+        const std::size_t last = std::min(wisps, (chunk + 1) * kWispsPerChunk);
+        for (std::size_t i = chunk * kWispsPerChunk; i < last; ++i) {
             if (contacts_[i].empty())
                 continue;
             const auto w = static_cast<std::uint32_t>(i);
-            wisp.load(hair, w);
+            // sorted by section; a point may be between its section and the next
+            const std::uint32_t end = contacts_[i].back().point.section + 2;
+            wisp.load(hair, w, contacts_[i].front().point.section,
+                      std::min(end, hair.groom.sections(w)));
             Responder responder(wisp, contacts_[i], fraction, static_cast<float>(duration_), dt,
                                 ablation_);
             responder.drag(loss);
