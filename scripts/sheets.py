@@ -12,7 +12,7 @@ from PIL import Image
 from evidence import ROOT, STYLES, Cell, frames_of, load_clips
 
 FRAMES = 6
-DRAWING = ["--view", "face", "profile", "back", "--size", "150", "--height", "0.8", "--strands", "8000", "--samples", "6"]
+DRAWING = ["--view", "face", "profile", "back", "--size", "212", "150", "--height", "0.8", "--strands", "8000", "--samples", "6"]
 
 
 def frames_shown(clip: dict) -> list[str]:
