@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -118,4 +119,66 @@ TEST_CASE("section frames: a curve that folds back, and segments without length,
         }
         CHECK(largest(frames[1].normal - Vec3d{0, -1, 0}) < 1e-12);
     }
+}
+
+namespace {
+
+/// The angle by which one frame is turned from another [deg]: from the trace of the rotation.
+double turn(const SectionFrame<double>& a, const SectionFrame<double>& b) {
+    const double trace = dot(a.u, b.u) + dot(a.v, b.v) + dot(a.normal, b.normal);
+    return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+/// `curve` with its joint `joint` bent by `angle` in a plane turned by `azimuth` about the segment
+/// before; the rest of the curve comes along.
+std::vector<Vec3d> bent(std::vector<Vec3d> curve, std::size_t joint, double angle, double azimuth) {
+    const Vec3d along = normalized(curve[joint] - curve[joint - 1]);
+    const Vec3d now = normalized(curve[joint + 1] - curve[joint]);
+    // First straightened, then bent.
+    const Vec3d across = cross(now, along);
+    const double bend = std::atan2(length(across), dot(now, along));
+    const Vec3d axis = turned(normalized(cross(along, Vec3d{0.6, 0, 0.8})), along, azimuth);
+    for (std::size_t i = joint + 1; i < curve.size(); ++i) {
+        const Vec3d straight = turned(curve[i] - curve[joint], normalized(across), bend);
+        curve[i] = curve[joint] + turned(straight, axis, angle);
+    }
+    return curve;
+}
+
+} // namespace
+
+TEST_CASE(
+    "section frames: none turns over 5° in a step while a joint bends up to 149° at 16 rad/s, "
+    "and the closed motion brings back every bit (M8)") {
+    constexpr int kSteps = 1000; // of 1 ms, in one swing to and fro
+    std::mt19937 random(4);
+    double most = 0, widest = 0;
+    for (int round = 0; round < 6; ++round) {
+        const std::vector<Vec3d> rest = random_curve(random, 1);
+        for (std::size_t joint = 1; joint + 1 < rest.size(); ++joint) {
+            const auto frames_at = [&](int step) {
+                const double phase = 2 * std::numbers::pi * (step % kSteps) / kSteps;
+                const double angle = 149 * std::numbers::pi / 180 * std::sin(phase);
+                const std::vector<Vec3d> curve = bent(rest, joint, angle, phase);
+                widest =
+                    std::max(widest, std::acos(dot(normalized(curve[joint] - curve[joint - 1]),
+                                                   normalized(curve[joint + 1] - curve[joint]))));
+                return frames_of(curve, {0.3, 1, 0.2});
+            };
+            const Frames start = frames_at(0);
+            Frames before = start;
+            for (int step = 1; step <= kSteps; ++step) {
+                const Frames now = frames_at(step);
+                for (std::size_t i = 0; i < now.size(); ++i)
+                    most = std::max(most, turn(before[i], now[i]));
+                before = now;
+            }
+            for (std::size_t i = 0; i < start.size(); ++i)
+                CHECK((before[i].u == start[i].u && before[i].v == start[i].v));
+        }
+    }
+    MESSAGE("largest turn in a step: " << most << "°, widest bend "
+                                       << widest * 180 / std::numbers::pi << "°");
+    CHECK(widest > 148.9 * std::numbers::pi / 180);
+    CHECK(most < 5);
 }
