@@ -24,7 +24,6 @@ failed_presets=()
 run_preset release
 if [ "${1:-}" != --quick ]; then
     run_preset asan-ubsan
-    run_preset tsan
     run_preset wasm
     echo "== format"
     if ! git ls-files '*.cpp' '*.h' | xargs clang-format-14 --dry-run --Werror; then failed_presets+=(format); fi
