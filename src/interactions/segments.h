@@ -59,7 +59,6 @@ class ContactGeometry {
         return {radii_.data() + section * k_, k_};
     }
     std::uint32_t envelope_points() const { return k_; }
-    const HalfLine& half_line(std::uint32_t k) const { return half_lines_[k]; }
     /// The points of a section that can be in contact: its skeleton point, then its K envelope
     /// points.
     std::span<const Vec3> points(std::uint32_t section) const {
