@@ -80,6 +80,31 @@ HWY_INLINE Pack without_tiny(Pack a) {
     return select_or_zero(absolute(a) > Pack(1e-15f), a);
 }
 
+/// 1/√x for normal x, relative error under 3e-7, without the divider, which is what the forces
+/// would wait for: Newton's iteration from the bits of x, the same on every machine.
+HWY_INLINE Pack inverse_square_root(Pack x) {
+    const hn::RebindToSigned<Tag> i;
+    const auto bits = hn::BitCast(i, x.v);
+    Pack y = hn::BitCast(Tag(), hn::Sub(hn::Set(i, 0x5f375a86), hn::ShiftRight<1>(bits)));
+    const Pack half = x * Pack(0.5f);
+    for (int iteration = 0; iteration < 3; ++iteration)
+        y = y * (Pack(1.5f) - half * y * y);
+    return y;
+}
+
+/// The reciprocals of four numbers whose product is a normal number, by one division.
+struct FourReciprocals {
+    Pack of[4];
+    HWY_INLINE FourReciprocals(Pack a, Pack b, Pack c, Pack d) {
+        const Pack ab = a * b, cd = c * d, inverse = Pack(1.f) / (ab * cd);
+        const Pack inverse_ab = inverse * cd, inverse_cd = inverse * ab;
+        of[0] = inverse_ab * b;
+        of[1] = inverse_ab * a;
+        of[2] = inverse_cd * d;
+        of[3] = inverse_cd * c;
+    }
+};
+
 struct Pack3 {
     Pack x, y, z;
 
@@ -155,6 +180,7 @@ struct Bend {
 HWY_INLINE Bend bend(Pack y, Pack cosine) {
     // Up to 90° by polynomials in y; beyond, asin√y = π/2 − asin√(1−y) with the same polynomial.
     const Mask sharp = y > Pack(0.5f);
+    const bool any_sharp = !hn::AllFalse(Tag(), sharp.m);
     const Pack z = select(sharp, Pack(1.f) - y, y);
     Pack g = Pack(0.123913497f);
     for (float c : {-0.135916278f, 0.107400022f, -7.02057919e-3f, 0.0358142406f, 0.0440916158f,
@@ -164,6 +190,8 @@ HWY_INLINE Bend bend(Pack y, Pack cosine) {
     for (float c : {-0.03194784f, 0.0257539973f, 4.44271322e-3f, 0.013344055f, 0.0190058537f,
                     0.0333343446f, 0.0833333284f})
         h = h * z + Pack(c);
+    if (!any_sharp)
+        return {g, g * cosine, h};
     const Pack angle_over_chord =
         select(sharp, (Pack(1.57079633f) - cosine * g) / square_root(larger(y, Pack(0.5f))), g);
     const Pack cotangent = angle_over_chord * cosine;

@@ -20,4 +20,7 @@ bool is_stable(const Shape& shape, const Material& material, const Rest& rest);
 /// smallest over it that does, to 0.1 %; 0 if 32 times the wisp's own is not enough.
 double standing_bending_length(const WispDesign& wisp, const Vec3d& gravity);
 
+/// The largest angle [rad] between a joint's bend at rest and as designed: what its weight unbends.
+double largest_droop(const WispDesign& wisp, const Vec3d& gravity);
+
 } // namespace mane

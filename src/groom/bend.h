@@ -39,10 +39,14 @@ inline Vec3d bend_map(const Bend& b, const Vec3d& d) {
     return d * b.q + b.w * (b.h * dot(d, b.w));
 }
 
-/// The D that `bend_map` takes to `mapped`: D'·w = D·w, so it is explicit. The bend must be under
-/// 180°.
-inline Vec3d bend_map_inverse(const Bend& b, const Vec3d& mapped) {
-    return (mapped - b.w * (b.h * dot(mapped, b.w))) / b.q;
+/// The twist is carried in full through bends of up to 150° (docs/model.md, "Twist"): the least
+/// cosine of half of it, and the least 1 + cosine.
+inline constexpr double kLeastHalfCosine = 0.25881905, kLeastOnePlusCosine = 0.13397460;
+
+/// β of docs/model.md, "Twist": the frame carried from normal `a` to normal `b` turns about the
+/// curve by −β·(δa + δb) when they move.
+inline Vec3d holonomy_gradient(const Vec3d& a, const Vec3d& b) {
+    return cross(a, b) / std::fmax(1 + dot(a, b), kLeastOnePlusCosine);
 }
 
 } // namespace mane

@@ -100,12 +100,22 @@ std::vector<ScalpPoint> style_roots(const StyleDesc& style, const Body& wearer,
     return roots;
 }
 
-// Hair that would fall out of its style gets a little more than the bending length that would do,
-// as if it were set.
-float held(const WispDesign& wisp) {
-    const double standing = standing_bending_length(wisp, {0, -kStandardGravity, 0});
-    return standing > wisp.skeleton.bending_length ? static_cast<float>(1.02 * standing)
-                                                   : wisp.skeleton.bending_length;
+// Hair that would fall out of its style, or hang in it by springs wound up so far that a push would
+// let it snap over to the other side, gets the bending length that would do, as if it were set. Its
+// bending damping stays what it is in N·m·s, in proportion to ζ b^3.5: more stiffness must not ask
+// for shorter steps.
+void hold(WispDesign& wisp) {
+    constexpr double kMostDroop = 1.0; // [rad]
+    const Vec3d gravity{0, -kStandardGravity, 0};
+    const double own = wisp.skeleton.bending_length;
+    const double standing = standing_bending_length(wisp, gravity);
+    double enough = standing > own ? 1.1 * standing : own;
+    // Stiffness goes with the cube of the bending length; weight does not change with it.
+    enough = std::max(enough, own * power(largest_droop(wisp, gravity) / kMostDroop, 1.0 / 3));
+    if (enough == own)
+        return;
+    wisp.skeleton.bending_length = static_cast<float>(enough);
+    wisp.skeleton.bending_damping *= static_cast<float>(power(own / enough, 3.5));
 }
 
 } // namespace
@@ -134,7 +144,7 @@ std::vector<WispDesign> lay_style(const HairDesc& hair, const Body& wearer,
         wisp.strands = static_cast<std::uint32_t>((w + 1) * hair.strands.count / roots.size() -
                                                   w * hair.strands.count / roots.size());
         wisp.skeleton = hair.skeleton;
-        wisp.skeleton.bending_length = held(wisp);
+        hold(wisp);
         wisps.push_back(std::move(wisp));
     }
     return wisps;

@@ -64,8 +64,10 @@ class Detector {
         reach.place =
             surface_.start().nearest(Vec3d(wisp_.x[i]), reach.clear, {}, carried.triangle);
         if (reach.place) {
-            carried.triangle = reach.place->triangle;
             reach.clear = std::sqrt(reach.place->closest.squared);
+            if (carried.triangle != PosedSurface::kNoGuess)
+                stay_at(carried.triangle, Vec3d(wisp_.x[i]), reach);
+            carried.triangle = reach.place->triangle;
             if (block > 0)
                 reach.velocity = velocity_at(surface_, *reach.place);
         }
@@ -74,13 +76,22 @@ class Detector {
         return reach;
     }
 
+    // Of two places as good as equally near, the wisp stays at the one of the block before: in a
+    // hollow a wisp at rest would else be held now from one side, now from the other, and shake.
+    void stay_at(std::uint32_t triangle, const Vec3d& x, Reach& reach) const {
+        constexpr double kAsNear = 1e-4; // [m] far over what a wisp at rest moves in a block
+        const ClosestPoint closest = closest_on_triangle(x, surface_.start().triangle(triangle));
+        if (std::sqrt(closest.squared) <= reach.clear + kAsNear)
+            reach.place = SurfacePlace{triangle, closest};
+    }
+
     void touch_section(std::uint32_t i, const Reach& reach) {
         if (!reach.place)
             return;
         touch({i, 0, 0, 0, 0}, reach.clear, reach.velocity);
         for (std::uint32_t line = 0; line < wisp_.k(); ++line)
             touch({i, 0, line, 1, 0}, reach.clear - double(wisp_.r(i, line)), reach.velocity);
-        touch_support(support_point(wisp_, i, Vec3(way_to(i, reach))),
+        touch_support(support_point(wisp_, i, 0, Vec3(way_to(i, reach))),
                       reach.clear - double(wisp_.largest_radius(i)), reach);
     }
 
@@ -93,10 +104,14 @@ class Detector {
             return;
         const double clear = std::max(a.clear, b.clear) - half;
         touch({i, 0.5f, 0, 0, 0}, clear, nearer.velocity);
-        const std::uint32_t end = &nearer == &a ? i : i + 1;
-        WispPoint support = support_point(wisp_, end, Vec3(way_to(end, nearer)));
-        support.section = i;
-        support.along = 0.5f;
+        // The arc reaches out toward both ends' nearest places: toward the nearer one alone it
+        // would jump, and jolt the wisp, where they are equally near.
+        Vec3d toward;
+        if (a.place)
+            toward += normalized(way_to(i, a));
+        if (b.place)
+            toward += normalized(way_to(i + 1, b));
+        const WispPoint support = support_point(wisp_, i, 0.5f, Vec3(toward));
         const float radius = std::max(wisp_.largest_radius(i), wisp_.largest_radius(i + 1));
         touch_support(support, clear - double(radius), nearer);
     }

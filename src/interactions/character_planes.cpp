@@ -11,7 +11,8 @@ constexpr std::size_t kMostPlanes = 3;
 constexpr double kOnSurface = 1e-4; // [m] nearer than this, the way to the nearest place says
                                     // nothing; the polygon's normal does
 constexpr double kSame =
-    0.966; // cos 15°: a plane leaning less than this from a nearer one adds nothing within a block
+    0.966; // cos 15°: a plane leaning less than this from a nearer one is taken up by it
+constexpr double kAlike = 1e-3; // [m] as far as it is no farther off than this
 constexpr double kPinch = -0.5; // surfaces facing each other within 60° pinch
 
 /// The mesh's vertices at whose face, edge or corner a place is: 3, 2 or 1 of them.
@@ -94,7 +95,7 @@ const std::vector<NearPlane>& PlaneFinder::find(const Surface& surface, const Ap
         if (planes_.size() == kMostPlanes)
             break;
         if (!implied(plane) && reachable(surface, approach, plane))
-            planes_.push_back(plane);
+            planes_.push_back(blended(plane));
     }
     halve_pinched_gaps();
     return planes_;
@@ -118,6 +119,21 @@ bool PlaneFinder::implied(const NearPlane& plane) const {
     return std::any_of(planes_.begin(), planes_.end(), [&](const NearPlane& nearer) {
         return dot(nearer.normal, plane.normal) > kSame;
     });
+}
+
+// In a shallow hollow a point is held by two facets. As it goes from one to the other, the plane
+// turns: switched, it would jolt the wisp that leans on it.
+NearPlane PlaneFinder::blended(const NearPlane& plane) const {
+    Vec3d sum = plane.normal;
+    for (const NearPlane& other : found_) {
+        const double farther = other.distance - plane.distance;
+        if (farther >= 0 && farther < kAlike && other.place.triangle != plane.place.triangle &&
+            dot(other.normal, plane.normal) > kSame)
+            sum += other.normal * (1 - farther / kAlike);
+    }
+    NearPlane turned = plane;
+    turned.normal = normalized(sum);
+    return turned;
 }
 
 // The nearest place of all is in sight; a farther one may be a wall that lies inside another part

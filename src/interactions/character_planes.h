@@ -42,6 +42,7 @@ class PlaneFinder {
     bool locally_nearest(const Surface& surface, const SurfacePlace& place) const;
     bool reachable(const Surface& surface, const Approach& approach, const NearPlane& plane) const;
     bool implied(const NearPlane& plane) const;
+    NearPlane blended(const NearPlane& plane) const;
     void halve_pinched_gaps();
 
     std::vector<SurfacePlace> around_;

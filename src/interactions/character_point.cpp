@@ -150,22 +150,26 @@ void WispCopy::push(const WispPoint& p, const Vec3& impulse) {
 // In a sector the surface is α² + β² + 2αβC = 1 (M14a). The farthest point along g has its gradient
 // there: α ∝ A − C B, β ∝ B − C A with A, B the reach of the two half lines along g. It is in the
 // sector where both are positive.
-WispPoint support_point(const WispCopy& wisp, std::uint32_t section, const Vec3& g) {
-    WispPoint best{section, 0, 0, 0, 0};
+WispPoint support_point(const WispCopy& wisp, std::uint32_t section, float along, const Vec3& g) {
+    // How far half line k reaches along g.
+    const auto reach = [&](std::uint32_t line) {
+        const auto of = [&](std::uint32_t s) { return wisp.r(s, line) * dot(wisp.d(s, line), g); };
+        return along == 0 ? of(section) : of(section) * (1 - along) + of(section + 1) * along;
+    };
+    WispPoint best{section, along, 0, 0, 0};
     float farthest = 0;
     for (std::uint32_t line = 0; line < wisp.k(); ++line) {
         const std::uint32_t other = wisp.next(line);
-        const Vec3 d0 = wisp.d(section, line), d1 = wisp.d(section, other);
-        const float c = dot(d0, d1);
-        const float a = wisp.r(section, line) * dot(d0, g), b = wisp.r(section, other) * dot(d1, g);
+        const float c = dot(wisp.d(section, line), wisp.d(section, other));
+        const float a = reach(line), b = reach(other);
         const float alpha = a - c * b, beta = b - c * a;
         if (alpha <= 0 || beta <= 0)
             continue;
         const float size = std::sqrt(alpha * alpha + beta * beta + 2 * c * alpha * beta);
-        const float reach = (alpha * a + beta * b) / size;
-        if (reach > farthest) {
-            farthest = reach;
-            best = {section, 0, line, alpha / size, beta / size};
+        const float way = (alpha * a + beta * b) / size;
+        if (way > farthest) {
+            farthest = way;
+            best = {section, along, line, alpha / size, beta / size};
         }
     }
     return best;

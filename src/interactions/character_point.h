@@ -86,6 +86,6 @@ class WispCopy {
 
 /// The point of a section's contact surface farthest along `g` in a plane through it: where a flat
 /// wall facing −g touches first. Empty when no sector of the envelope faces g.
-WispPoint support_point(const WispCopy& wisp, std::uint32_t section, const Vec3& g);
+WispPoint support_point(const WispCopy& wisp, std::uint32_t section, float along, const Vec3& g);
 
 } // namespace mane

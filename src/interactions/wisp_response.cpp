@@ -38,7 +38,9 @@ void for_each(Threads& threads, std::size_t count, std::size_t per_chunk, Work&&
 } // namespace
 
 WispResponse::WispResponse(const WispContactDesc& desc)
-    : desc_(desc), sine_fade_(static_cast<float>(sine(desc.fade_angle * (kPi / 180)))) {}
+    : desc_(desc), sine_fade_(static_cast<float>(sine(desc.fade_angle * (kPi / 180)))),
+      sine_full_(sine(desc.parallel_angle * (kPi / 180) * 2 / 3)),
+      sine_none_(sine(desc.parallel_angle * (kPi / 180))) {}
 
 void WispResponse::engage(const HairView& hair, std::span<const WispContact> contacts) {
     contacts_.clear();
@@ -166,12 +168,19 @@ Symmetric3d WispResponse::viscosity(const HairView& hair, const WispContact& con
         smooth_step(static_cast<float>(sine_of_angle), 0.5f * sine_fade_, sine_fade_);
     const double out_of_plane = dragged + (1 - dragged) * fade;
     const double mean = w.trace() / 3;
-    const double in = mean * (1 - dragged) / dragged,
+    const double in = mean * sliding_weight(sine_of_angle) * (1 - dragged) / dragged,
                  out = mean * (1 - out_of_plane) / out_of_plane;
     Symmetric3d z = Symmetric3d::identity(in);
     if (fade > 0)
         z += Symmetric3d::outer(n / sine_of_angle, out - in);
     return z;
+}
+
+/// Sliding ends smoothly at the parallel angle, where the pair becomes a collision: a wisp that
+/// leans on another would else be dropped where the other's next segment turns.
+double WispResponse::sliding_weight(double sine_of_angle) const {
+    const double t = std::clamp((sine_none_ - sine_of_angle) / (sine_none_ - sine_full_), 0.0, 1.0);
+    return t * t;
 }
 
 void WispResponse::apply(const HairView& hair, State& state, Threads& threads) {

@@ -71,11 +71,13 @@ class WispResponse {
                                      const Answer& answer, float step) const;
     Symmetric3d viscosity(const HairView& hair, const WispContact& contact, const Symmetric3d& w,
                           float step) const;
+    double sliding_weight(double sine_of_angle) const;
     Vec3 impulse(const Answer& answer, std::uint32_t k_count) const;
     void gather(const HairView& hair, const Participant& participant, State& state) const;
 
     WispContactDesc desc_;
     float sine_fade_;
+    double sine_full_, sine_none_; ///< wisps slide in full under the one, not at all over the other
     std::vector<WispContact> contacts_; ///< those of which something can move
     std::vector<Answer> answers_;       ///< one per contact
     std::vector<Participant> participants_;

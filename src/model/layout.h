@@ -68,6 +68,8 @@ class Layout {
 
     std::span<const Packet> packets() const { return packets_; }
     std::size_t rows() const { return rows_; }
+    /// Sections of the longest wisp.
+    std::size_t most_rows() const { return packets_.empty() ? 0 : packets_.front().rows; }
     Slot slot(std::uint32_t section) const { return slots_[section]; }
     std::uint32_t wisp_of(std::uint32_t section) const { return wisp_of_[section]; }
     /// Whether the section is simulated: not x₀ and not x₁.

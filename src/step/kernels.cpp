@@ -86,6 +86,12 @@ Kernels kernels_for(const std::string& instruction_set) {
                      "\" is not available here; this machine has " + names_of(sets_here()));
 }
 
+Rows curve_scratch(const Layout& layout) {
+    constexpr std::uint32_t kNumbers = 7;
+    const std::size_t chunks = (layout.packets().size() + kPacketsPerChunk - 1) / kPacketsPerChunk;
+    return Rows(chunks * layout.most_rows(), kNumbers);
+}
+
 RootMotion::RootMotion(std::size_t packets) {
     for (int end : {0, 1})
         value[end] = slope[end] = Rows(packets, 3 * count);

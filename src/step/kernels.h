@@ -22,6 +22,12 @@ struct RootMotion {
     explicit RootMotion(std::size_t packets);
 };
 
+/// Packets that one call of a kernel goes through at most: about 50 µs of forces, well above the
+/// cost of waking a thread. They share one scratch for their curves, which stays in the cache.
+inline constexpr std::size_t kPacketsPerChunk = 8;
+/// Scratch for the curves of a layout's packets.
+Rows curve_scratch(const Layout& layout);
+
 /// All that the kernels of one step read and write.
 struct KernelData {
     const Layout& layout;
@@ -30,6 +36,7 @@ struct KernelData {
     const std::vector<HalfLine>& half_lines;
     State& state;
     SectionFrames& frames;
+    Rows& curve;     ///< scratch: see `curve_scratch`
     Rows& root_axis; ///< u₀ now, one row per packet
     const Rows*
         wind; ///< the air's velocity at each skeleton point; null: `uniform_wind` everywhere
@@ -40,8 +47,8 @@ struct KernelData {
     Ablation ablation = {}; ///< of tests
 };
 
-/// The step's work on packets [first, last), compiled once per instruction set. All give the same
-/// bits.
+/// The step's work on packets [first, last) of one chunk, compiled once per instruction set. All
+/// give the same bits.
 struct Kernels {
     const char* instruction_set;
     void (*section_frames)(const KernelData&, std::size_t first, std::size_t last);

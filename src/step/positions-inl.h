@@ -1,4 +1,4 @@
-// Stage 4 of §5.1, the kinematic roots, and the section frames alone, sixteen wisps at a time.
+// Stage 4 of §5.1 and the kinematic roots, sixteen wisps at a time.
 #if defined(MANE_STEP_POSITIONS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MANE_STEP_POSITIONS_INL_H
 #undef MANE_STEP_POSITIONS_INL_H
@@ -6,48 +6,11 @@
 #define MANE_STEP_POSITIONS_INL_H
 #endif
 
-#include "model/frames-inl.h"
+#include "base/pack-inl.h"
 #include "step/kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
-
-/// The frames that `process_forces` finds too: here alone, for a detection at the beginning of a
-/// step.
-void section_frames(const KernelData& data, std::size_t first, std::size_t last) {
-    for (std::size_t p = first; p < last; ++p) {
-        const Packet& packet = data.layout.packets()[p];
-        for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
-            const auto position = [&](std::size_t row) {
-                return Pack3::load(data.state.position.row(row) + lane);
-            };
-            const std::size_t root = packet.first_row;
-            Pack3 x = position(root + 1);
-            Pack3 before = direction(position(root), x).t;
-            Pack3 normal = before;
-            Pack3 u = perpendicular_unit(Pack3::load(data.root_axis.row(p) + lane), normal);
-            for (std::size_t i = 0; i < packet.rows; ++i) {
-                const std::size_t row = root + i;
-                if (i > 0) {
-                    const Mask goes_on =
-                        Pack::load(data.rest.row(row) +
-                                   static_cast<std::uint32_t>(Rest::length) * kLanes + lane) >
-                        Pack(0.f);
-                    const Pack3 x_next = i + 1 < packet.rows ? position(row + 1) : x;
-                    const Pack3 after = select(goes_on, direction(x, x_next).t, before);
-                    const Pack3 next_normal = bisector(before, after).normal;
-                    u = transport(u, normal, next_normal);
-                    normal = next_normal;
-                    before = after;
-                    x = x_next;
-                }
-                u.store(data.frames.u.row(row) + lane);
-                cross(normal, u).store(data.frames.v.row(row) + lane);
-                normal.store(data.frames.normal.row(row) + lane);
-            }
-        }
-    }
-}
 
 /// Cubic Hermite weights and their derivatives by s.
 struct Hermite {

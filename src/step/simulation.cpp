@@ -8,7 +8,7 @@ Simulation::Simulation(const SimulationDesc& d, const Groom& g, const RunOptions
       kernels(kernels_for(options.instruction_set)), state(layout.rows(), groom.envelope_points),
       root_axis(layout.packets().size(), 3), roots(layout.packets().size()),
       wisp_detection(d.wisps), wisp_response(d.wisps), frames(layout.rows()),
-      threads(options.threads) {
+      curve(curve_scratch(layout)), threads(options.threads) {
     if (!air.is_uniform())
         wind = Rows(layout.rows(), 3);
 }
@@ -20,6 +20,7 @@ KernelData Simulation::kernel_data() {
             .half_lines = lines,
             .state = state,
             .frames = frames,
+            .curve = curve,
             .root_axis = root_axis,
             .wind = air.is_uniform() ? nullptr : &wind,
             .uniform_wind = air.mean(),

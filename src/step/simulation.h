@@ -41,6 +41,7 @@ struct Simulation {
 
     // scratch
     SectionFrames frames;
+    Rows curve;
     Rows wind; ///< [m/s] at every skeleton point, where the air is not uniform
     Threads threads;
     Statistics statistics;
@@ -49,8 +50,6 @@ struct Simulation {
     KernelData kernel_data();
     /// Runs a kernel over all packets, side by side.
     template <typename Work> void for_packets(Work&& work) {
-        constexpr std::size_t kPacketsPerChunk =
-            8; // about 50 µs of forces: well above the cost of waking a thread
         const std::size_t packets = layout.packets().size();
         threads.run((packets + kPacketsPerChunk - 1) / kPacketsPerChunk, [&](std::size_t c) {
             work(c * kPacketsPerChunk, std::min(packets, (c + 1) * kPacketsPerChunk));

@@ -173,7 +173,8 @@ double stop_approach(Wisp& wisp, const SlidingPlane& plane, double h, double& gi
     if (mass == 0)
         return 0;
     const double closing = dot(velocity_of(wisp, plane.point) - m.velocity, m.normal);
-    const double least = -std::max(0.0, m.distance - plane.threshold) / h;
+    const double gap = std::max(0.0, m.distance - plane.threshold);
+    const double least = -gap / h * std::min(1.0, gap / 1e-4); // softly over the last 0.1 mm
     const double asked = std::max(0.0, given + (least - closing) / mass);
     const double change = asked - given;
     push(wisp, plane.point, change * m.normal);

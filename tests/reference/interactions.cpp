@@ -124,9 +124,18 @@ class Answer {
             return {};
         const Vec3d across = cross(p.direction, s.direction), n = normalized(across);
         const double f_n = f + (1 - f) * plane_weight(length(across));
-        const double mean = W.trace() / 3;
+        const double mean = W.trace() / 3, sliding = sliding_weight(length(across));
         const Matrix3 out = Matrix3::outer(n, n), in = Matrix3::scale(1) - out;
-        return (W + mean * ((1 - f) / f * in + (1 - f_n) / f_n * out)).inverse() * -v;
+        return (W + mean * (sliding * (1 - f) / f * in + (1 - f_n) / f_n * out)).inverse() * -v;
+    }
+
+    /// Ours: from 1 at two thirds of the parallel angle to 0 at all of it, where the pair becomes a
+    /// collision.
+    double sliding_weight(double sine) const {
+        const double angle = static_cast<double>(desc_.parallel_angle) * std::numbers::pi / 180;
+        const double full = std::sin(angle * 2 / 3), none = std::sin(angle);
+        const double t = std::clamp((none - sine) / (none - full), 0.0, 1.0);
+        return t * t;
     }
 
     /// From 0 where the directions align to 1 at the fade angle.

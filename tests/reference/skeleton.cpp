@@ -91,6 +91,45 @@ void add_bending(const Wisp& wisp, std::vector<Vec3d>& force) {
     }
 }
 
+/// Least cosines of a half bend, and of a whole one, that the twist is carried through in full: of
+/// 150°. At 180° the frames have no limit.
+constexpr double kLeastHalfCosine = 0.25881905, kLeastOnePlusCosine = 0.13397460;
+
+/// How the frame carried from normal `a` to normal `b` turns about the curve when they move:
+/// −β·(δa + δb), the change of the solid angle that the normals sweep.
+Vec3d holonomy_gradient(const Vec3d& a, const Vec3d& b) {
+    return cross(a, b) / std::max(1 + dot(a, b), kLeastOnePlusCosine);
+}
+
+/// M2, ours: what joint i's rest bend does to a turn of its frame about the curve, the slope of
+/// ½ k |κ − κ⁰|².
+double twist_moment(const Wisp& wisp, const SectionFrame& frame, std::size_t i) {
+    const Curvature kappa = curvature_in(bend_at(wisp, i), frame);
+    return bend_stiffness(wisp, i) *
+           (wisp.rest_curvature_v[i] * kappa.u - wisp.rest_curvature_u[i] * kappa.v);
+}
+
+/// A joint's frame is carried along the curve, so a section that turns its normal turns the rest
+/// bends of all joints from there to the tip. The wisp has no twist of its own (M4): it hands their
+/// moments on toward the root. At the joint itself, the two segments turn in a frame that stays.
+void add_twisting(const Wisp& wisp, std::vector<Vec3d>& force) {
+    const std::vector<SectionFrame> frames = section_frames(wisp);
+    const std::size_t tip = wisp.sections() - 1;
+    std::vector<double> twist(tip + 1);
+    for (std::size_t i = tip; i-- > 1;)
+        twist[i] = twist[i + 1] + twist_moment(wisp, frames[i], i);
+    for (std::size_t i = 1; i < tip; ++i) {
+        const Vec3d& n = frames[i].n;
+        const Vec3d slope = -twist[i] * holonomy_gradient(frames[i - 1].n, n) -
+                            twist[i + 1] * holonomy_gradient(n, frames[i + 1].n);
+        for (const std::size_t segment : {i - 1, i}) {
+            const Vec3d t = segment_direction(wisp, segment);
+            const Vec3d carried = slope / (2 * std::max(dot(n, t), kLeastHalfCosine));
+            add_couple(wisp, segment, cross(carried, t) + (twist[i] - twist[i + 1]) / 2 * n, force);
+        }
+    }
+}
+
 double mean(const Ring& ring) {
     return std::accumulate(ring.begin(), ring.end(), 0.0) / static_cast<double>(ring.size());
 }
@@ -112,6 +151,7 @@ std::vector<Vec3d> skeleton_forces(const Wisp& wisp) {
     std::vector<Vec3d> force(wisp.sections());
     add_stretching(wisp, force);
     add_bending(wisp, force);
+    add_twisting(wisp, force);
     return force;
 }
 

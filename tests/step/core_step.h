@@ -14,7 +14,7 @@ inline constexpr float kStep = 1e-4f; // [s]
 struct CoreStep : CoreHair {
     explicit CoreStep(const Groom& g)
         : CoreHair(g), root_axis(layout.packets().size(), 3), roots(layout.packets().size()),
-          wind(layout.rows(), 3) {}
+          wind(layout.rows(), 3), curve(curve_scratch(layout)) {}
 
     using CoreHair::take;
     void take(const Frame& frame) {
@@ -43,6 +43,7 @@ struct CoreStep : CoreHair {
                 .half_lines = lines,
                 .state = state,
                 .frames = frames,
+                .curve = curve,
                 .root_axis = root_axis,
                 .wind = &wind,
                 .uniform_wind = {},
@@ -54,6 +55,7 @@ struct CoreStep : CoreHair {
     Rows root_axis;
     RootMotion roots;
     Rows wind;
+    Rows curve;
 };
 
 /// The twin of it, in the same air.
