@@ -1,28 +1,18 @@
 #include "interactions/wisp_response.h"
 
-#include "base/functions.h"
-#include "interactions/wisp_detection.h"
-
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
 namespace mane {
 namespace {
 
-constexpr std::size_t kAnswersPerChunk = 1024;
-constexpr std::size_t kParticipantsPerChunk = 256;
-constexpr std::uint32_t kNone = 0xffffffffu;
-constexpr ContactPoint kSkeletonPoint{ContactPoint::kSkeleton};
-
-/// 3τ² − 2τ³, from 0 at `low` to 1 at `high`.
-float smooth_step(float x, float low, float high) {
-    const float t = std::clamp((x - low) / (high - low), 0.f, 1.f);
-    return t * t * (3 - 2 * t);
-}
+constexpr std::size_t kAnswersPerChunk = 2048;
+constexpr std::size_t kSectionsPerChunk = 512;
+constexpr std::size_t kWispsPerChunk = 64;
 
 /// A contact's part of a mass that contacts of this weight together share (M27a).
-double part(const WispContact& contact, float together) {
-    return double{contact.weight} / std::max(together, 1.f);
+float part(const WispContact& contact, float together) {
+    return contact.weight / std::max(together, 1.f);
 }
 
 /// Calls `work` with every index below `count`, in chunks.
@@ -35,204 +25,256 @@ void for_each(Threads& threads, std::size_t count, std::size_t per_chunk, Work&&
     });
 }
 
+/// Counts in [1, …] become the places where each bin begins.
+void add_up(std::vector<std::uint32_t>& counts) {
+    std::partial_sum(counts.begin(), counts.end(), counts.begin());
+}
+
 } // namespace
 
-WispResponse::WispResponse(const WispContactDesc& desc)
-    : desc_(desc), sine_fade_(static_cast<float>(sine(desc.fade_angle * (kPi / 180)))),
-      sine_full_(sine(desc.parallel_angle * (kPi / 180) * 2 / 3)),
-      sine_none_(sine(desc.parallel_angle * (kPi / 180))) {}
+WispResponse::WispResponse(const WispContactDesc& desc) : desc_(desc) {}
 
 void WispResponse::engage(const HairView& hair, std::span<const WispContact> contacts) {
-    contacts_.clear();
-    answers_.clear();
-    participants_.clear();
-    participant_of_.assign(hair.groom.section_count(), kNone);
-    for (const WispContact& contact : contacts)
-        add_answer(hair, contact);
-    add_shares();
-    impulses_.resize(answers_.size());
-    velocities_.resize(participants_.size());
-    radius_rates_.resize(participants_.size() * hair.groom.envelope_points);
-}
+    places_ = hair.groom.envelope_points + 1;
+    sort_by_place(hair, contacts);
+    weigh();
+    share_segments();
 
-std::uint32_t WispResponse::participant(std::uint32_t section) {
-    std::uint32_t& index = participant_of_[section];
-    if (index == kNone) {
-        index = static_cast<std::uint32_t>(participants_.size());
-        participants_.emplace_back().section = section;
+    const std::size_t sections = hair.groom.section_count();
+    sections_.clear();
+    wisp_takes_part_.assign(hair.groom.wisp_count(), 0);
+    for (std::uint32_t s = 0; s < sections; ++s) {
+        if (!takes_part_[s])
+            continue;
+        sections_.push_back(s);
+        wisp_takes_part_[hair.layout.wisp_of(s)] = 1;
     }
-    return index;
+    answers_.resize(contacts_.size());
+    impulses_.resize(contacts_.size());
+    mass_.resize(sections);
+    segment_direction_.resize(sections);
+    half_line_.resize(sections * places_);
+    velocity_.resize(sections * places_);
 }
 
-void WispResponse::add_answer(const HairView& hair, const WispContact& contact) {
-    const bool axis = contact.point.is_axis();
-    const std::uint32_t second = axis ? contact.section + 1 : contact.section;
-    if (!hair.layout.simulated(second) && !hair.layout.simulated(contact.segment + 1))
-        return; // the head holds all of it
+/// Contacts at points by their place, then those of axes; each in the order given.
+void WispResponse::sort_by_place(const HairView& hair, std::span<const WispContact> contacts) {
+    const auto can_move = [&](const WispContact& c) { // or the head holds all of it
+        const std::uint32_t second = c.point.is_axis() ? c.section + 1 : c.section;
+        return hair.layout.simulated(second) || hair.layout.simulated(c.segment + 1);
+    };
+    first_answer_.assign(std::size_t{hair.groom.section_count()} * places_ + 1, 0);
+    std::size_t axes = 0;
+    for (const WispContact& c : contacts) {
+        if (!can_move(c))
+            continue;
+        if (c.point.is_axis())
+            ++axes;
+        else
+            ++first_answer_[place(c.section, c.point) + 1];
+    }
+    add_up(first_answer_);
+    axes_ = first_answer_.back();
+    contacts_.resize(axes_ + axes);
+    std::size_t next_axis = axes_;
+    for (const WispContact& c : contacts)
+        if (can_move(c))
+            contacts_[c.point.is_axis() ? next_axis++
+                                        : first_answer_[place(c.section, c.point)]++] = c;
+    // Filling moved every beginning on to its end.
+    std::move_backward(first_answer_.begin(), first_answer_.end() - 1, first_answer_.end());
+    first_answer_.front() = 0;
+}
 
+/// Sums the weights of the contacts that share a mass: each skeleton point's, an envelope point's
+/// contacts included, and each envelope point's own.
+void WispResponse::weigh() {
+    weight_.assign(first_answer_.size() - 1, 0.f);
+    takes_part_.assign(weight_.size() / places_, 0);
+    const auto use = [this](std::uint32_t section, float weight) {
+        weight_[place(section)] += weight;
+        takes_part_[section] = 1;
+    };
+    for (const WispContact& c : contacts_) {
+        use(c.section, c.weight);
+        if (c.point.is_axis())
+            use(c.section + 1, c.weight);
+        if (c.point.is_envelope())
+            weight_[place(c.section, c.point)] += c.weight;
+        use(c.segment, c.weight);
+        use(c.segment + 1, c.weight);
+    }
+}
+
+/// Segment by segment, the answers that push its ends.
+void WispResponse::share_segments() {
+    first_share_.assign(takes_part_.size() + 1, 0);
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        ++first_share_[contacts_[i].segment + 1];
+        if (i >= axes_)
+            ++first_share_[contacts_[i].section + 1];
+    }
+    add_up(first_share_);
+    shares_.resize(first_share_.back());
+    for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
+        const WispContact& c = contacts_[i];
+        shares_[first_share_[c.segment]++] = {i, c.s - 1, -c.s};
+        if (i >= axes_)
+            shares_[first_share_[c.section]++] = {i, 1 - c.along, c.along};
+    }
+    std::move_backward(first_share_.begin(), first_share_.end() - 1, first_share_.end());
+    first_share_.front() = 0;
+}
+
+void WispResponse::prepare(const HairView& hair, float step, Threads& threads) {
+    for_each(threads, sections_.size(), kSectionsPerChunk,
+             [&](std::size_t i) { take_section(hair, sections_[i]); });
+    const ContactMatrix matrix(desc_, step);
+    for_each(threads, answers_.size(), kAnswersPerChunk, [&](std::size_t i) {
+        const WispContact& c = contacts_[i];
+        const Symmetric3 m(matrix.impulse_per_velocity(input_of(hair, c)));
+        Answer& answer = answers_[i];
+        answer.column[0] = Four{m.xx, m.xy, m.xz, 0};
+        answer.column[1] = Four{m.xy, m.yy, m.yz, 0};
+        answer.column[2] = Four{m.xz, m.yz, m.zz, 0};
+        answer.point = c.point.is_axis() ? place(c.section) : place(c.section, c.point);
+        answer.segment = place(c.segment);
+        answer.s = c.s;
+        answer.along = c.along;
+    });
+}
+
+void WispResponse::take_section(const HairView& hair, std::uint32_t section) {
+    const Slot slot = hair.layout.slot(section);
+    mass_[section] = SectionMass::of(hair, section);
+    for (std::uint32_t k = 0; k + 1 < places_; ++k)
+        half_line_[place(section, ContactPoint::envelope(k))] =
+            four(half_line_direction(hair, slot, k));
+    // Of a segment that takes part, both ends do; past a tip it is never asked for.
+    if (section + 1 < takes_part_.size() && takes_part_[section + 1])
+        segment_direction_[section] = normalized(
+            hair.state.position.vec(hair.layout.slot(section + 1)) - hair.state.position.vec(slot));
+}
+
+ContactInput WispResponse::input_of(const HairView& hair, const WispContact& contact) const {
+    const bool axis = contact.point.is_axis();
+    const auto end = [&](std::uint32_t section, float square) {
+        return ContactEnd{&mass_[section], square / part(contact, weight_[place(section)])};
+    };
     // Next to an end that the head holds, a contact at small s would fling the other end at 1/s of
     // its velocity: there the weight counts once. That is a viscosity in series, so energy still
     // falls.
     const auto far = [&](std::uint32_t segment, float s) {
         return hair.layout.simulated(segment) ? s * s : s;
     };
-    const float a = axis ? contact.along : 0.f, s = contact.s;
-    Answer answer;
-    answer.point = contact.point;
-    answer.ends[0] = {participant(contact.section), 1 - a, (1 - a) * (1 - a)};
-    answer.ends[1] = {participant(second), a, axis ? far(contact.section, a) : 0.f};
-    answer.ends[2] = {participant(contact.segment), s - 1, (1 - s) * (1 - s)};
-    answer.ends[3] = {participant(contact.segment + 1), -s, far(contact.segment, s)};
-    for (int i = 0; i < 4; ++i) {
-        if (i == 1 && !axis)
-            continue;
-        Participant& p = participants_[answer.ends[i].participant];
-        ++p.shares;
-        p.skeleton_weight += contact.weight;
+    const float a = contact.along, s = contact.s;
+    ContactInput input;
+    input.ends[0] = end(contact.section, (1 - a) * (1 - a));
+    if (axis)
+        input.ends[1] = end(contact.section + 1, far(contact.section, a));
+    input.ends[2] = end(contact.segment, (1 - s) * (1 - s));
+    input.ends[3] = end(contact.segment + 1, far(contact.segment, s));
+    if (contact.point.is_envelope()) {
+        const std::uint32_t at = place(contact.section, contact.point);
+        input.half_line = first_three(half_line_[at]);
+        input.envelope = mass_[contact.section].envelope / part(contact, weight_[at]);
     }
-    if (contact.point.is_envelope())
-        participants_[answer.ends[0].participant].envelope_weight[contact.point.k()] +=
-            contact.weight;
-    contacts_.push_back(contact);
-    answers_.push_back(answer);
-}
-
-/// Shares by participant, in the order of contacts: places by their counts, then filled.
-void WispResponse::add_shares() {
-    std::uint32_t next = 0;
-    for (Participant& p : participants_) {
-        p.first_share = p.last_share = next;
-        next += p.shares;
-    }
-    shares_.resize(next);
-    for (std::uint32_t i = 0; i < answers_.size(); ++i) {
-        const Answer& answer = answers_[i];
-        for (int e = 0; e < 4; ++e) {
-            if (e == 1 && !answer.point.is_axis())
-                continue;
-            const ContactPoint point =
-                e == 0 && answer.point.is_envelope() ? answer.point : kSkeletonPoint;
-            shares_[participants_[answer.ends[e].participant].last_share++] = {
-                i, answer.ends[e].weight, point};
-        }
-    }
-}
-
-void WispResponse::prepare(const HairView& hair, float step, Threads& threads) {
-    for_each(threads, participants_.size(), kParticipantsPerChunk, [&](std::size_t i) {
-        Participant& p = participants_[i];
-        p.mass = SectionMass::of(hair, p.section);
-        for (std::uint32_t k = 0; k < hair.groom.envelope_points; ++k)
-            p.half_lines[k] = half_line_direction(hair, hair.layout.slot(p.section), k);
-    });
-    for_each(threads, answers_.size(), kAnswersPerChunk, [&](std::size_t i) {
-        answers_[i].impulse_per_velocity =
-            Symmetric3(impulse_per_velocity(hair, contacts_[i], answers_[i], step));
-    });
-}
-
-Symmetric3d WispResponse::impulse_per_velocity(const HairView& hair, const WispContact& contact,
-                                               const Answer& answer, float step) const {
-    Symmetric3d w;
-    for (const End& end : answer.ends) {
-        const Participant& p = participants_[end.participant];
-        const double shared = end.compliance / part(contact, p.skeleton_weight);
-        w += Symmetric3d::identity(p.mass.across * shared);
-        w += Symmetric3d::outer(Vec3d(p.mass.normal), p.mass.extra * shared);
-    }
-    if (answer.point.is_envelope()) { // along its half line it moves with its own mass
-        const Participant& p = participants_[answer.ends[0].participant];
-        const std::uint32_t k = answer.point.k();
-        w += Symmetric3d::outer(Vec3d(p.half_lines[k]),
-                                p.mass.envelope / part(contact, p.envelope_weight[k]) -
-                                    p.mass.across / part(contact, p.skeleton_weight));
-    }
-    if (!(w.trace() > 0))
-        return {};
-    if (contact.kind == WispContactKind::friction)
-        w += viscosity(hair, contact, w, step);
-    return w.inverse();
-}
-
-/// Z of quasi-parallel wisps (M24, M25): weak in their plane, rigid across it as far as there is a
-/// plane.
-Symmetric3d WispResponse::viscosity(const HairView& hair, const WispContact& contact,
-                                    const Symmetric3d& w, float step) const {
-    constexpr double kLeastDrag = 1e-6; // no friction at all would be an infinite Z
-    const double dragged =
-        std::max(kLeastDrag, 1 - exponential(-double{desc_.friction} * contact.density * step));
-    const Vec3d n = cross(Vec3d(point_side(hair, contact).direction),
-                          Vec3d(segment_side(hair, contact).direction));
-    const double sine_of_angle = length(n);
-    const double fade =
-        smooth_step(static_cast<float>(sine_of_angle), 0.5f * sine_fade_, sine_fade_);
-    const double out_of_plane = dragged + (1 - dragged) * fade;
-    const double mean = w.trace() / 3;
-    const double in = mean * sliding_weight(sine_of_angle) * (1 - dragged) / dragged,
-                 out = mean * (1 - out_of_plane) / out_of_plane;
-    Symmetric3d z = Symmetric3d::identity(in);
-    if (fade > 0)
-        z += Symmetric3d::outer(n / sine_of_angle, out - in);
-    return z;
-}
-
-/// Sliding ends smoothly at the parallel angle, where the pair becomes a collision: a wisp that
-/// leans on another would else be dropped where the other's next segment turns.
-double WispResponse::sliding_weight(double sine_of_angle) const {
-    const double t = std::clamp((sine_none_ - sine_of_angle) / (sine_none_ - sine_full_), 0.0, 1.0);
-    return t * t;
+    input.friction = contact.kind == WispContactKind::friction;
+    input.density = contact.density;
+    input.point_direction =
+        axis ? segment_direction_[contact.section] : mass_[contact.section].normal;
+    input.segment_direction = segment_direction_[contact.segment];
+    return input;
 }
 
 void WispResponse::apply(const HairView& hair, State& state, Threads& threads) {
-    const std::uint32_t k_count = hair.groom.envelope_points;
-    for (std::size_t i = 0; i < participants_.size(); ++i) {
-        const Slot slot = hair.layout.slot(participants_[i].section);
-        velocities_[i] = state.velocity.vec(slot);
-        for (std::uint32_t k = 0; k < k_count; ++k)
-            radius_rates_[i * k_count + k] = state.radius_rate.at(slot, k);
-    }
-    for_each(threads, answers_.size(), kAnswersPerChunk,
-             [&](std::size_t i) { impulses_[i] = impulse(answers_[i], k_count); });
-    for_each(threads, participants_.size(), kParticipantsPerChunk, [&](std::size_t i) {
-        if (hair.layout.simulated(participants_[i].section))
-            gather(hair, participants_[i], state);
+    for_each(threads, sections_.size(), kSectionsPerChunk,
+             [&](std::size_t i) { take_velocities(hair, state, sections_[i]); });
+    for_each(threads, answers_.size(), kAnswersPerChunk, [&](std::size_t i) {
+        impulses_[i] = i < axes_ ? impulse(answers_[i]) : axis_impulse(answers_[i]);
+    });
+    for_each(threads, hair.groom.wisp_count(), kWispsPerChunk, [&](std::size_t w) {
+        if (wisp_takes_part_[w])
+            answer_wisp(hair, w, state);
     });
 }
 
-Vec3 WispResponse::impulse(const Answer& answer, std::uint32_t k_count) const {
-    Vec3 relative;
-    for (const End& end : answer.ends)
-        relative += velocities_[end.participant] * end.weight;
-    if (answer.point.is_envelope()) {
-        const std::uint32_t p = answer.ends[0].participant, k = answer.point.k();
-        relative += participants_[p].half_lines[k] * radius_rates_[p * k_count + k];
-    }
-    return -(answer.impulse_per_velocity * relative);
+void WispResponse::take_velocities(const HairView& hair, const State& state,
+                                   std::uint32_t section) {
+    const Slot slot = hair.layout.slot(section);
+    Four* at = &velocity_[place(section)];
+    const Four* half_line = &half_line_[place(section)];
+    at[0] = four(state.velocity.vec(slot));
+    for (std::uint32_t k = 0; k + 1 < places_; ++k)
+        at[k + 1] = at[0] + half_line[k + 1] * four(state.radius_rate.at(slot, k));
 }
 
-/// Adds up what the contacts do to one section, and changes its velocities.
-void WispResponse::gather(const HairView& hair, const Participant& participant,
-                          State& state) const {
-    Vec3 on_skeleton;
-    float on_envelope[kMaxEnvelopePoints] = {};
-    for (std::uint32_t i = participant.first_share; i < participant.last_share; ++i) {
-        const Share& share = shares_[i];
-        const Vec3& j = impulses_[share.answer];
-        if (share.point.is_envelope()) { // M27
-            const Vec3& d = participant.half_lines[share.point.k()];
-            const float along = dot(d, j);
-            on_envelope[share.point.k()] += along;
-            on_skeleton += j - d * along;
-        } else {
-            on_skeleton += j * share.weight;
+namespace {
+
+Four minus_product(const Four* column, const Four& v) {
+    return -(column[0] * four(v[0]) + column[1] * four(v[1]) + column[2] * four(v[2]));
+}
+Four between(const Four& a, const Four& b, float s) {
+    return a * four(1 - s) + b * four(s);
+}
+
+} // namespace
+
+Four WispResponse::impulse(const Answer& answer) const {
+    const Four* segment = &velocity_[answer.segment];
+    return minus_product(answer.column,
+                         velocity_[answer.point] - between(segment[0], segment[places_], answer.s));
+}
+
+Four WispResponse::axis_impulse(const Answer& answer) const {
+    const Four *point = &velocity_[answer.point], *segment = &velocity_[answer.segment];
+    return minus_product(answer.column, between(point[0], point[places_], answer.along) -
+                                            between(segment[0], segment[places_], answer.s));
+}
+
+/// From root to tip: a section is the near end of one segment and the far end of the one before.
+void WispResponse::answer_wisp(const HairView& hair, std::size_t wisp, State& state) const {
+    Four far{};
+    for (std::uint32_t s = hair.groom.first_section[wisp]; s < hair.groom.first_section[wisp + 1];
+         ++s) {
+        Four near = far;
+        far = Four{};
+        for (std::uint32_t i = first_share_[s]; i < first_share_[s + 1]; ++i) {
+            const Four& j = impulses_[shares_[i].answer];
+            near += j * four(shares_[i].near);
+            far += j * four(shares_[i].far);
         }
+        if (takes_part_[s] && hair.layout.simulated(s))
+            push_section(hair, s, near, state);
     }
-    const Slot slot = hair.layout.slot(participant.section);
-    const Vec3 change = participant.mass.skeleton_response(on_skeleton);
+}
+
+/// Changes a section's velocities: by what its segments' contacts give its skeleton point, and by
+/// those of its own points, of which an envelope point takes the part along its half line and the
+/// skeleton point the rest (M27).
+void WispResponse::push_section(const HairView& hair, std::uint32_t section, Four on_skeleton,
+                                State& state) const {
+    const std::uint32_t at = place(section);
+    float on_envelope[kMaxEnvelopePoints] = {};
+    for (std::uint32_t c = 0; c < places_; ++c) {
+        Four sum{};
+        for (std::uint32_t i = first_answer_[at + c]; i < first_answer_[at + c + 1]; ++i)
+            sum += impulses_[i];
+        on_skeleton += sum;
+        if (c == 0)
+            continue;
+        const float along = dot(half_line_[at + c], sum);
+        on_envelope[c - 1] = along;
+        on_skeleton -= half_line_[at + c] * four(along);
+    }
+    const SectionMass& mass = mass_[section];
+    const Slot slot = hair.layout.slot(section);
+    const Vec3 change = mass.skeleton_response(first_three(on_skeleton));
     state.velocity.set(slot, state.velocity.vec(slot) + change);
-    for (std::uint32_t k = 0; k < hair.groom.envelope_points; ++k)
+    const Four by = four(change);
+    for (std::uint32_t k = 0; k + 1 < places_; ++k)
         state.radius_rate.at(slot, k) +=
-            on_envelope[k] * participant.mass.envelope - dot(participant.half_lines[k], change);
+            on_envelope[k] * mass.envelope - dot(half_line_[at + k + 1], by);
 }
 
 } // namespace mane

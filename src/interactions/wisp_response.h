@@ -1,7 +1,9 @@
 #pragma once
 
+#include "base/aligned.h"
+#include "base/four.h"
 #include "base/parallel_for.h"
-#include "interactions/impulse.h"
+#include "interactions/contact_matrix.h"
 #include "interactions/wisp_contact.h"
 #include "mane/desc.h"
 
@@ -12,8 +14,8 @@ namespace mane {
 
 /// Velocity modifications for contacts between wisps (§4.1, M24–M28): every contact is one impulse
 /// between its point and the two ends of its segment, from the same frozen velocities; then each
-/// section gathers what concerns it. The result depends neither on the order of contacts nor on
-/// threads.
+/// section gathers what concerns it. The result depends neither on the order of contacts (but for
+/// rounding) nor on threads.
 ///
 /// Called at three rates: `engage` when contacts were found, `prepare` at the beginning of each
 /// detection block, `apply` at every step. Answered less often than every step, friction would let
@@ -32,62 +34,60 @@ class WispResponse {
     void apply(const HairView& hair, State& state, Threads& threads);
 
   private:
-    /// A section that takes part, with its answer to impulses for the block.
-    struct Participant {
-        std::uint32_t section = 0;
-        std::uint32_t first_share = 0, last_share = 0;
-        std::uint32_t shares = 0;  ///< contacts that use its skeleton point
-        float skeleton_weight = 0; ///< of these contacts together
-        SectionMass mass;
-        Vec3 half_lines[kMaxEnvelopePoints];
-        float envelope_weight[kMaxEnvelopePoints] =
-            {}; ///< of the contacts at each envelope point together
-    };
-    /// One end of a contact: a participant, and its weight in the relative velocity.
-    struct End {
-        std::uint32_t participant = 0;
-        float weight = 0;
-        float compliance = 0; ///< what the weight's square stands for in W
-    };
-    /// A contact ready to be answered: ends of the point (the second without weight but for axis
-    /// contacts), then of the segment.
+    /// A contact ready to be answered, in one cache line. A *place* is a section's skeleton point
+    /// or one of its envelope points: section · (K + 1) + code.
     struct Answer {
-        End ends[4];
-        ContactPoint point;
-        Symmetric3
-            impulse_per_velocity; ///< (W + Z)⁻¹, see docs/model.md, "Each contact is one impulse"
+        Four column[3];            ///< of (W + Z)⁻¹
+        std::uint32_t point = 0;   ///< its place
+        std::uint32_t segment = 0; ///< the place of the first section of its segment
+        float s = 0;               ///< along the segment
+        float along = 0;           ///< of an axis contact, along the point's own segment
     };
-    /// A participant's share in an answer.
+    static_assert(sizeof(Answer) == 64);
+    /// An answer's part in a segment, by its two ends.
     struct Share {
         std::uint32_t answer = 0;
-        float weight = 0;
-        ContactPoint point; ///< an envelope point takes the part along its half line
+        float near = 0, far = 0;
     };
 
-    std::uint32_t participant(std::uint32_t section);
-    void add_answer(const HairView& hair, const WispContact& contact);
-    void add_shares();
-    Symmetric3d impulse_per_velocity(const HairView& hair, const WispContact& contact,
-                                     const Answer& answer, float step) const;
-    Symmetric3d viscosity(const HairView& hair, const WispContact& contact, const Symmetric3d& w,
-                          float step) const;
-    double sliding_weight(double sine_of_angle) const;
-    Vec3 impulse(const Answer& answer, std::uint32_t k_count) const;
-    void gather(const HairView& hair, const Participant& participant, State& state) const;
+    std::uint32_t place(std::uint32_t section, ContactPoint point = {}) const {
+        return section * places_ + point.code;
+    }
+    void sort_by_place(const HairView& hair, std::span<const WispContact> contacts);
+    void weigh();
+    void share_segments();
+    ContactInput input_of(const HairView& hair, const WispContact& contact) const;
+    void take_section(const HairView& hair, std::uint32_t section);
+    void take_velocities(const HairView& hair, const State& state, std::uint32_t section);
+    Four impulse(const Answer& answer) const;
+    Four axis_impulse(const Answer& answer) const;
+    void answer_wisp(const HairView& hair, std::size_t wisp, State& state) const;
+    void push_section(const HairView& hair, std::uint32_t section, Four on_skeleton,
+                      State& state) const;
 
     WispContactDesc desc_;
-    float sine_fade_;
-    double sine_full_, sine_none_; ///< wisps slide in full under the one, not at all over the other
-    std::vector<WispContact> contacts_; ///< those of which something can move
-    std::vector<Answer> answers_;       ///< one per contact
-    std::vector<Participant> participants_;
-    std::vector<Share> shares_; ///< participant after participant, each in the order of contacts
-    std::vector<std::uint32_t> participant_of_; ///< per section of the groom
+    std::uint32_t places_ = 0; ///< K + 1 of a section
 
-    // of the present step
-    std::vector<Vec3> velocities_;    ///< per participant
-    std::vector<float> radius_rates_; ///< per participant and envelope point
-    std::vector<Vec3> impulses_;      ///< per answer
+    // of a detection
+    std::vector<WispContact> contacts_;       ///< by place; those of which something can move
+    std::size_t axes_ = 0;                    ///< axis contacts come last, from here on
+    std::vector<std::uint32_t> first_answer_; ///< per place, and one more
+    std::vector<float> weight_;               ///< per place: of the contacts that share its mass
+    std::vector<std::uint32_t> first_share_;  ///< per section, and one more: as a segment
+    std::vector<Share> shares_;
+    std::vector<std::uint8_t> takes_part_;      ///< per section
+    std::vector<std::uint32_t> sections_;       ///< those that take part
+    std::vector<std::uint8_t> wisp_takes_part_; ///< per wisp
+
+    // of a block
+    AlignedVector<Answer> answers_;       ///< one per contact
+    std::vector<SectionMass> mass_;       ///< per section
+    AlignedVector<Four> half_line_;       ///< per place of an envelope point
+    std::vector<Vec3> segment_direction_; ///< per section
+
+    // of a step
+    AlignedVector<Four> velocity_; ///< per place
+    AlignedVector<Four> impulses_; ///< per answer
 };
 
 } // namespace mane
