@@ -1,16 +1,15 @@
 #include "interactions/segments.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mane {
 namespace {
 
-// [m] rounding must not leave a section's own envelope point outside its segment's box, or the grid
+// [m] rounding must not leave a section's own envelope point outside its segment's box, or the tree
 // could miss it
 constexpr float kBoxMargin = 1e-5f;
-constexpr float kSmallestRadius = 1e-6f; // [m] a section squeezed flat still has a depth everywhere
+constexpr float kFarAway = 1e30f; // [m] where no box is
 
 float area_of(std::span<const float> radii) {
     float sum = 0;
@@ -57,28 +56,38 @@ float squared_depth(std::span<const HalfLine> half_lines, std::span<const float>
     return result;
 }
 
-void ContactGeometry::find_segments(const HairView& hair) {
+void ContactGeometry::lay_out(const HairView& hair) {
     k_ = hair.groom.envelope_points;
     half_lines_.assign(hair.half_lines.begin(), hair.half_lines.end());
-    sections_.resize(hair.groom.section_count());
-    radii_.resize(hair.groom.section_count() * k_);
+    const auto sections = static_cast<std::uint32_t>(hair.groom.section_count());
+    sections_.resize(sections);
+    radii_.resize(sections * k_);
+    index_of_.resize(sections);
+    inside_head_.assign(sections, 0);
     for (std::size_t w = 0; w < hair.groom.wisp_count(); ++w) {
-        const std::uint32_t first = hair.groom.first_section[w], sections = hair.groom.sections(w);
-        for (std::uint32_t i = 1; i + 1 < sections; ++i)
-            segments_.push_back(first + i);
+        const std::uint32_t first = hair.groom.first_section[w],
+                            end = hair.groom.first_section[w + 1];
+        for (std::uint32_t s = first + 1; s + 1 < end; ++s) {
+            index_of_[s] = static_cast<std::uint32_t>(segments_.size());
+            segments_.push_back(s);
+        }
+        inside_head_[first] = 1;
     }
-    points_.resize(hair.groom.section_count() * (k_ + 1));
-    points_boxes_.resize(hair.groom.section_count());
+    volumes_.resize(segments_.size());
     boxes_.resize(segments_.size());
     directions_.resize(segments_.size());
     slenderness_.resize(segments_.size());
-    for (std::size_t s = 0; s < sections_.size(); ++s)
+    for (AlignedVector<float>* axis : {&x_, &y_, &z_})
+        axis->assign(std::size_t{sections} * (k_ + 1) + kLanes, kFarAway);
+    const Vec3 far{kFarAway, kFarAway, kFarAway};
+    point_boxes_.assign(sections, {far, far});
+    for (std::size_t s = 0; s < sections; ++s)
         sections_[s].rest_area = area_of({hair.groom.radius.data() + s * k_, k_});
 }
 
 void ContactGeometry::update(const HairView& hair) {
     if (sections_.empty())
-        find_segments(hair);
+        lay_out(hair);
     for (std::uint32_t s = 0; s < sections_.size(); ++s)
         update_section(hair, s);
     for (std::size_t i = 0; i < segments_.size(); ++i)
@@ -92,28 +101,45 @@ void ContactGeometry::update_section(const HairView& hair, std::uint32_t section
     c.u = hair.frames.u.vec(slot);
     c.v = hair.frames.v.vec(slot);
     c.normal = hair.frames.normal.vec(slot);
-    Vec3* points = points_.data() + section * (k_ + 1);
-    points[0] = c.x;
-    points_boxes_[section] = {c.x, c.x};
-    for (std::uint32_t k = 0; k < k_; ++k) {
-        const float r = radii_[section * k_ + k] = hair.state.radius.at(slot, k);
-        points[k + 1] = c.x + (c.u * half_lines_[k].cosine + c.v * half_lines_[k].sine) * r;
-        points_boxes_[section].add(points[k + 1]);
-    }
+    for (std::uint32_t k = 0; k < k_; ++k)
+        radii_[section * k_ + k] = hair.state.radius.at(slot, k);
     c.area = area_of(radii(section));
+    if (!inside_head_[section])
+        update_points(section);
 }
 
 void ContactGeometry::update_segment(std::size_t index) {
     const std::uint32_t segment = segments_[index];
     boxes_[index] = box_of(segment);
-    const Vec3 axis = sections_[segment + 1].x - sections_[segment].x;
-    directions_[index] = normalized(axis);
+    SegmentVolume& volume = volumes_[index];
+    volume.box = boxes_[index];
     float radii_sum = 0;
-    for (std::uint32_t end : {segment, segment + 1})
-        for (float r : radii(end))
-            radii_sum += r;
+    for (std::uint32_t e : {0u, 1u}) {
+        const ContactSection& c = sections_[segment + e];
+        VolumeEnd& end = volume.end[e];
+        end.x = c.x, end.normal = c.normal, end.u = c.u, end.v = c.v;
+        end.area = c.area, end.rest_area = c.rest_area;
+        for (std::uint32_t k = 0; k < k_; ++k)
+            radii_sum += end.radius[k] = radii(segment + e)[k];
+    }
+    const Vec3 axis = volume.end[1].x - volume.end[0].x;
+    directions_[index] = normalized(axis);
     slenderness_[index] =
         length(axis) * static_cast<float>(k_) / std::max(radii_sum, kSmallestRadius);
+}
+
+void ContactGeometry::update_points(std::uint32_t section) {
+    const ContactSection& c = sections_[section];
+    std::size_t at = std::size_t{section} * (k_ + 1);
+    Box& box = point_boxes_[section] = {c.x, c.x};
+    const auto put = [&](const Vec3& p) {
+        x_[at] = p.x, y_[at] = p.y, z_[at] = p.z;
+        ++at;
+        box.add(p);
+    };
+    put(c.x);
+    for (std::uint32_t k = 0; k < k_; ++k)
+        put(c.x + (c.u * half_lines_[k].cosine + c.v * half_lines_[k].sine) * radii(section)[k]);
 }
 
 Box ContactGeometry::box_of(std::uint32_t segment) const {
@@ -130,35 +156,6 @@ Box ContactGeometry::box_of(std::uint32_t segment) const {
         box.add(x + extent);
     }
     return box;
-}
-
-std::optional<PlaceInSegment> ContactGeometry::place(std::size_t segment_index,
-                                                     const Vec3& p) const {
-    if (!boxes_[segment_index].contains(p))
-        return std::nullopt;
-    const std::uint32_t j = segments_[segment_index];
-    const ContactSection &a = sections_[j], &b = sections_[j + 1];
-    const float h0 = dot(p - a.x, a.normal), h1 = dot(b.x - p, b.normal);
-    // Where the planes cross inside the wisp, both distances are negative between them.
-    if (h0 * h1 < 0 || h0 + h1 == 0)
-        return std::nullopt;
-    const float s = h0 / (h0 + h1);
-
-    const Vec3 off = p - (a.x + (b.x - a.x) * s);
-    const Vec3 u = a.u + (b.u - a.u) * s, v = a.v + (b.v - a.v) * s;
-    // The interpolated axes are not quite orthonormal: solve the 2×2 system.
-    const float uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), pu = dot(off, u), pv = dot(off, v);
-    const float det = uu * vv - uv * uv;
-    if (!(det > 1e-6f))
-        return std::nullopt; // the section turned over: no inside there
-    std::array<float, kMaxEnvelopePoints> r{};
-    for (std::uint32_t k = 0; k < k_; ++k) {
-        const float r0 = radii_[j * k_ + k], r1 = radii_[(j + 1) * k_ + k];
-        r[k] = r0 + (r1 - r0) * s;
-    }
-    const float d2 = squared_depth(half_lines_, {r.data(), k_}, (pu * vv - pv * uv) / det,
-                                   (pv * uu - pu * uv) / det);
-    return PlaceInSegment{s, std::sqrt(d2)};
 }
 
 float ContactGeometry::radius_toward(std::uint32_t section, float a, float b) const {

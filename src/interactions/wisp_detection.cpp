@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mane {
 namespace {
 
-constexpr std::size_t kSectionsPerChunk = 128;
+constexpr std::size_t kSegmentsPerChunk = 128;
 constexpr std::size_t kContactsPerChunk = 1024;
 
 float sine_of_degrees(double degrees) {
@@ -73,82 +74,118 @@ ContactSide segment_side(const HairView& hair, const WispContact& contact) {
             segment_velocity(hair, contact.segment, contact.s)};
 }
 
-WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablation)
+WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablation,
+                             const std::string& instruction_set)
     : desc_(desc), ablation_(ablation), sine_parallel_(sine_of_degrees(desc.parallel_angle)),
       sine_parallel_leaving_(
           sine_of_degrees(std::min(89.f, desc.parallel_angle * desc.hysteresis))),
       tangent_(tangent_of_degrees(desc.parallel_angle)),
-      tangent_leaving_(tangent_ * desc.hysteresis), sine_fade_(sine_of_degrees(desc.fade_angle)) {}
+      tangent_leaving_(tangent_ * desc.hysteresis), sine_fade_(sine_of_degrees(desc.fade_angle)),
+      point_test_(point_test_for(instruction_set)) {}
 
 void WispDetection::detect(const HairView& hair, Threads& threads) {
     geometry_.update(hair);
-    grid_.build(geometry_);
-    const std::size_t sections = geometry_.section_count(), segments = geometry_.segments().size();
-    chunks_.resize((sections + kSectionsPerChunk - 1) / kSectionsPerChunk);
+    if (section_tree_.size() == 0)
+        arrange(hair);
+    section_tree_.update(geometry_.point_boxes());
+    find_slender();
+    const std::size_t segments = geometry_.segments().size();
+    chunks_.resize((segments + kSegmentsPerChunk - 1) / kSegmentsPerChunk);
     threads.run(chunks_.size(), [&](std::size_t c) {
         chunks_[c].contacts.clear();
         chunks_[c].pairs.clear();
-        const std::size_t first = c * kSectionsPerChunk, last = first + kSectionsPerChunk;
-        for (std::size_t s = first; s < std::min(sections, last); ++s)
-            test_section(hair, static_cast<std::uint32_t>(s), chunks_[c]);
-        for (std::size_t a = first; a < std::min(segments, last); ++a)
-            test_axes(hair, a, chunks_[c]);
+        const std::size_t first = c * kSegmentsPerChunk,
+                          last = std::min(segments, first + kSegmentsPerChunk);
+        for (std::size_t i = first; i < last; ++i)
+            test_points(hair, i, chunks_[c]);
+        for (std::size_t i = first; any_slender_ && i < last; ++i)
+            test_axes(hair, i, chunks_[c]);
     });
-
     std::swap(contacts_, earlier_);
-    contacts_.clear();
-    for (const Found& found : chunks_)
-        contacts_.insert(contacts_.end(), found.contacts.begin(), found.contacts.end());
-    std::stable_sort(contacts_.begin(), contacts_.end(), before);
+    sort_contacts(hair);
     classify_all(hair, threads);
     count_pairs();
 }
 
-/// The points of a section in the segments of other wisps, and in those of its own that share no
-/// section with a segment it belongs to (M21, M22).
-void WispDetection::test_section(const HairView& hair, std::uint32_t section, Found& found) const {
-    const std::uint32_t wisp = hair.layout.wisp_of(section), first = hair.groom.first_section[wisp];
-    const std::uint32_t end = hair.groom.first_section[wisp + 1];
-    if (section == first)
-        return; // x₀ is inside the head
-    const bool ends_segment = section >= first + 2, begins_segment = section + 1 < end;
-    const std::span<const Vec3> points = geometry_.points(section);
-    grid_.for_overlapping(geometry_, geometry_.points_box(section), [&](std::size_t index) {
-        const std::uint32_t segment = geometry_.segments()[index];
-        const bool same_wisp = segment >= first && segment < end;
-        if (same_wisp && !ablation_.self_collision)
-            return;
-        // Of the segment before (section − 1) and the one after (section), those that may touch
-        // this one.
-        const bool before_may =
-            ends_segment && !(same_wisp && segment + 2 >= section && segment <= section);
-        const bool after_may =
-            begins_segment && !(same_wisp && segment + 1 >= section && segment <= section + 1);
-        if (!before_may && !after_may)
-            return;
-        bool any = false;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const std::optional<PlaceInSegment> place = geometry_.place(index, points[i]);
-            if (!place || place->depth > 1)
-                continue;
-            any = true;
-            found.contacts.push_back({.section = section,
-                                      .point = {static_cast<std::uint8_t>(i)},
-                                      .segment = segment,
-                                      .s = place->s,
-                                      .density = geometry_.density(segment, place->s),
-                                      .weight = weight_at(place->depth)});
+/// The points of other wisps in a segment, and of its own those whose section belongs to a segment
+/// that shares no section with it (M21, M22).
+void WispDetection::test_points(const HairView& hair, std::size_t segment_index,
+                                Found& found) const {
+    const std::uint32_t segment = geometry_.segments()[segment_index];
+    const std::span<const std::uint32_t> candidates =
+        overlapping(section_tree_, geometry_.boxes()[segment_index], found);
+    const SectionPoints points = geometry_.points();
+    if (found.inside.size() < candidates.size() * points.per_section)
+        found.inside.resize(candidates.size() * points.per_section);
+    const std::size_t count = point_test_.find(geometry_.volume(segment_index), hair.half_lines,
+                                               points, candidates, found.inside.data());
+
+    std::uint32_t paired = ~0u; // points of a section follow each other
+    for (std::size_t i = 0; i < count; ++i) {
+        const PointInside& point = found.inside[i];
+        const std::uint32_t section = point.point / points.per_section;
+        const Belongs belongs = belongs_to(hair, section, segment);
+        if (!belongs.before && !belongs.after)
+            continue;
+        found.contacts.push_back(
+            {.section = section,
+             .point = {static_cast<std::uint8_t>(point.point % points.per_section)},
+             .segment = segment,
+             .s = point.s,
+             .density = point.density,
+             .weight = weight_at(point.depth)});
+        if (section != paired) {
+            if (belongs.before)
+                found.pairs.push_back(Pair::of(section - 1, segment));
+            if (belongs.after)
+                found.pairs.push_back(Pair::of(section, segment));
         }
-        if (!any)
-            return;
-        const auto key = [segment](std::uint32_t mine) {
-            return std::uint64_t{std::min(mine, segment)} << 32 | std::max(mine, segment);
-        };
-        if (before_may)
-            found.pairs.push_back(key(section - 1));
-        if (after_may)
-            found.pairs.push_back(key(section));
-    });
+        paired = section;
+    }
+}
+
+/// A section stands for the segment before it and the one after it: which of them may touch
+/// `segment`.
+WispDetection::Belongs WispDetection::belongs_to(const HairView& hair, std::uint32_t section,
+                                                 std::uint32_t segment) const {
+    const std::uint32_t wisp = hair.layout.wisp_of(section);
+    const bool begins = section + 1 < hair.groom.first_section[wisp + 1],
+               ends = hair.layout.simulated(section);
+    if (hair.layout.wisp_of(segment) != wisp)
+        return {ends, begins};
+    if (!ablation_.self_collision)
+        return {false, false};
+    // Two segments of one wisp must share no section.
+    return {ends && (segment + 2 < section || segment > section),
+            begins && (segment + 1 < section || segment > section + 1)};
+}
+
+std::span<const std::uint32_t> WispDetection::overlapping(const BoxTree& tree, const Box& box,
+                                                          Found& found) const {
+    std::vector<std::uint32_t>& items = found.candidates;
+    std::size_t count = point_test_.overlapping(tree, box, items.data(), items.size());
+    if (count > items.size()) {
+        items.resize(2 * count);
+        count = point_test_.overlapping(tree, box, items.data(), items.size());
+    }
+    return {items.data(), count};
+}
+
+/// Trees from the design: the hair that lies together there.
+void WispDetection::arrange(const HairView& hair) {
+    section_tree_.arrange(hair.groom.position);
+    std::vector<Vec3> centres;
+    for (const std::uint32_t segment : geometry_.segments())
+        centres.push_back((hair.groom.position[segment] + hair.groom.position[segment + 1]) / 2.f);
+    segment_tree_.arrange(centres);
+}
+
+void WispDetection::find_slender() {
+    any_slender_ = false;
+    for (std::size_t i = 0; i < geometry_.segments().size() && !any_slender_; ++i)
+        any_slender_ = slender(i);
+    if (any_slender_)
+        segment_tree_.update(geometry_.boxes());
 }
 
 bool WispDetection::slender(std::size_t segment_index) const {
@@ -170,25 +207,26 @@ void WispDetection::test_axes(const HairView& hair, std::size_t a_index, Found& 
         };
         return of(segment) * (1 - s) + of(segment + 1) * s;
     };
-    grid_.for_overlapping(geometry_, geometry_.box(a_index), [&](std::size_t b_index) {
+    for (const std::uint32_t b_index :
+         overlapping(segment_tree_, geometry_.boxes()[a_index], found)) {
         const std::uint32_t b = geometry_.segments()[b_index];
         if (a == b || (b < a && slender(b_index)))
-            return;
+            continue;
         const bool same_wisp = hair.layout.wisp_of(a) == hair.layout.wisp_of(b);
         if (same_wisp && (!ablation_.self_collision || std::max(a, b) - std::min(a, b) < 2))
-            return;
+            continue;
         const Vec3 &b0 = geometry_.section(b).x, &b1 = geometry_.section(b + 1).x;
         // Nearly parallel axes have no one closest place; their points find each other.
         const Vec3 n = cross(geometry_.direction(a_index), geometry_.direction(b_index));
         if (dot(n, n) < sine_fade_ * sine_fade_)
-            return;
+            continue;
         const ClosestPoints c = closest_points(a0, a1, b0, b1);
         if (!c.inside)
-            return;
+            continue;
         const Vec3 gap = (b0 + (b1 - b0) * c.t) - (a0 + (a1 - a0) * c.s);
         const float touching = reach(a, c.s, gap) + reach(b, c.t, -gap);
         if (length(gap) > touching)
-            return;
+            continue;
         // Told from the earlier segment, whichever was slender.
         const bool swap = b < a;
         found.contacts.push_back({.section = swap ? b : a,
@@ -198,17 +236,53 @@ void WispDetection::test_axes(const HairView& hair, std::size_t a_index, Found& 
                                   .along = swap ? c.t : c.s,
                                   .density = geometry_.density(swap ? a : b, swap ? c.s : c.t),
                                   .weight = weight_at(length(gap) / touching)});
-    });
+    }
 }
 
-void WispDetection::count_pairs() {
-    pairs_.clear();
+/// By section, then point, then segment: chunks have them by segment already.
+void WispDetection::sort_contacts(const HairView& hair) {
+    const std::uint32_t codes = hair.groom.envelope_points + 2; // skeleton, envelope, axis
+    const auto place = [codes](const WispContact& c) {
+        return c.section * codes + (c.point.is_axis() ? codes - 1 : c.point.code);
+    };
+    first_contact_.assign(std::size_t{hair.groom.section_count()} * codes + 1, 0);
     for (const Found& found : chunks_)
-        pairs_.insert(pairs_.end(), found.pairs.begin(), found.pairs.end());
-    std::sort(pairs_.begin(),
-              pairs_.end()); // only to count each once: nothing depends on the order of equals
-    intersecting_pairs_ =
-        static_cast<std::uint64_t>(std::unique(pairs_.begin(), pairs_.end()) - pairs_.begin());
+        for (const WispContact& c : found.contacts)
+            ++first_contact_[place(c) + 1];
+    std::partial_sum(first_contact_.begin(), first_contact_.end(), first_contact_.begin());
+    contacts_.resize(first_contact_.back());
+    for (const Found& found : chunks_)
+        for (const WispContact& c : found.contacts)
+            contacts_[first_contact_[place(c)]++] = c;
+    if (!any_slender_)
+        return;
+    // An axis contact is told from the earlier of two segments, whichever found it.
+    for (std::size_t at = codes - 1; at + 1 < first_contact_.size(); at += codes) {
+        const auto begin = contacts_.begin() + (at == 0 ? 0 : first_contact_[at - 1]);
+        std::sort(begin, contacts_.begin() + first_contact_[at], before);
+    }
+}
+
+/// Each pair once: those with the same lower segment side by side, then marked as they are met.
+void WispDetection::count_pairs() {
+    const std::size_t sections = geometry_.section_count();
+    first_pair_.assign(sections + 1, 0);
+    for (const Found& found : chunks_)
+        for (const Pair& p : found.pairs)
+            ++first_pair_[p.lower + 1];
+    std::partial_sum(first_pair_.begin(), first_pair_.end(), first_pair_.begin());
+    higher_.resize(first_pair_.back());
+    for (const Found& found : chunks_)
+        for (const Pair& p : found.pairs)
+            higher_[first_pair_[p.lower]++] = p.higher;
+    met_.assign(sections, ~0u);
+    intersecting_pairs_ = 0;
+    std::uint32_t i = 0;
+    for (std::uint32_t lower = 0; lower < sections; ++lower)
+        for (; i < first_pair_[lower]; ++i) { // filling moved every beginning on to its end
+            intersecting_pairs_ += met_[higher_[i]] != lower;
+            met_[higher_[i]] = lower;
+        }
 }
 
 void WispDetection::classify(const HairView& hair, WispContact& contact,
@@ -218,14 +292,18 @@ void WispDetection::classify(const HairView& hair, WispContact& contact,
         return;
     }
     const bool was_friction = earlier && earlier->kind == WispContactKind::friction;
-    const ContactSide p = point_side(hair, contact), s = segment_side(hair, contact);
-    const Vec3 n = cross(p.direction, s.direction);
-    const float sine = length(n);
     contact.kind = WispContactKind::collision;
+    const Vec3& point_direction =
+        contact.point.is_axis() ? geometry_.direction(geometry_.segment_index(contact.section))
+                                : geometry_.section(contact.section).normal;
+    const Vec3 n =
+        cross(point_direction, geometry_.direction(geometry_.segment_index(contact.segment)));
+    const float sine = length(n);
     if (sine >= (was_friction ? sine_parallel_leaving_ : sine_parallel_))
         return;
     if (sine >= sine_fade_) {
-        const Vec3 unit = n / sine, v = p.velocity - s.velocity;
+        const Vec3 unit = n / sine,
+                   v = point_side(hair, contact).velocity - segment_side(hair, contact).velocity;
         const float out = std::fabs(dot(v, unit));
         const float in = length(v - unit * dot(v, unit));
         const float slow = desc_.sliding_speed * (was_friction ? desc_.hysteresis : 1.f);

@@ -1,14 +1,16 @@
 #pragma once
 
 #include "base/parallel_for.h"
-#include "interactions/grid.h"
+#include "interactions/box_tree.h"
 #include "interactions/segments.h"
 #include "interactions/wisp_contact.h"
 #include "mane/desc.h"
 #include "model/ablation.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace mane {
@@ -16,7 +18,9 @@ namespace mane {
 /// Finds the contacts between wisps, and of a wisp with itself (§4.1, M21–M23).
 class WispDetection {
   public:
-    explicit WispDetection(const WispContactDesc& desc, const Ablation& ablation = {});
+    /// `instruction_set`: "" for the machine's best.
+    explicit WispDetection(const WispContactDesc& desc, const Ablation& ablation = {},
+                           const std::string& instruction_set = "");
 
     /// Finds all contacts anew, in order. A contact that was there at the last call keeps its kind
     /// within the hysteresis.
@@ -28,16 +32,34 @@ class WispDetection {
     std::uint64_t intersecting_pairs() const { return intersecting_pairs_; }
 
   private:
-    /// What a chunk of sections found.
+    /// Two segments of which one has a point inside the other.
+    struct Pair {
+        std::uint32_t lower = 0, higher = 0;
+
+        static Pair of(std::uint32_t a, std::uint32_t b) {
+            return {std::min(a, b), std::max(a, b)};
+        }
+    };
+    /// What a chunk of segments found.
     struct Found {
-        std::vector<WispContact> contacts;
-        std::vector<std::uint64_t>
-            pairs; ///< keys of pairs of segments, the same pair perhaps several times
+        std::vector<WispContact> contacts; ///< by segment
+        std::vector<Pair> pairs;           ///< the same perhaps several times
+        std::vector<std::uint32_t> candidates;
+        std::vector<PointInside> inside;
     };
 
-    void test_section(const HairView& hair, std::uint32_t section, Found& found) const;
+    void test_points(const HairView& hair, std::size_t segment_index, Found& found) const;
+    struct Belongs {
+        bool before = false, after = false;
+    };
+    Belongs belongs_to(const HairView& hair, std::uint32_t section, std::uint32_t segment) const;
+    void arrange(const HairView& hair);
+    void find_slender();
+    std::span<const std::uint32_t> overlapping(const BoxTree& tree, const Box& box,
+                                               Found& found) const;
     void test_axes(const HairView& hair, std::size_t a_index, Found& found) const;
     bool slender(std::size_t segment_index) const;
+    void sort_contacts(const HairView& hair);
     void count_pairs();
     void classify(const HairView& hair, WispContact& contact, const WispContact* earlier) const;
     void classify_all(const HairView& hair, Threads& threads);
@@ -46,10 +68,13 @@ class WispDetection {
     Ablation ablation_;
     float sine_parallel_, sine_parallel_leaving_, tangent_, tangent_leaving_, sine_fade_;
     ContactGeometry geometry_;
-    SegmentGrid grid_;
+    PointTest point_test_;
+    BoxTree section_tree_, segment_tree_; ///< of the sections' points, of the segments
+    bool any_slender_ = false;
     std::vector<Found> chunks_;
     std::vector<WispContact> contacts_, earlier_;
-    std::vector<std::uint64_t> pairs_;
+    std::vector<std::uint32_t> first_contact_;             ///< scratch: per place, for sorting
+    std::vector<std::uint32_t> first_pair_, higher_, met_; ///< scratch: for counting pairs
     std::uint64_t intersecting_pairs_ = 0;
 };
 
