@@ -67,13 +67,24 @@ HWY_INLINE Pack select_or_zero(Mask m, Pack a) {
 HWY_INLINE Pack absolute(Pack a) {
     return hn::Abs(a.v);
 }
-// Not hn::Min and Max: they differ between instruction sets in what they make of NaN and of −0.
+// Sets differ in what Min and Max make of NaN and of zeros of both signs. Those of x86 do what is
+// written out for the others.
+#define MANE_X86_VECTORS (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR)
 HWY_INLINE Pack smaller(Pack a, Pack b) {
+#if MANE_X86_VECTORS
+    return hn::Min(a.v, b.v);
+#else
     return select(a < b, a, b);
+#endif
 }
 HWY_INLINE Pack larger(Pack a, Pack b) {
+#if MANE_X86_VECTORS
+    return hn::Max(a.v, b.v);
+#else
     return select(a > b, a, b);
+#endif
 }
+#undef MANE_X86_VECTORS
 /// Tiny values become zero: denormals would slow some machines down and are flushed by others
 /// (M39).
 HWY_INLINE Pack without_tiny(Pack a) {

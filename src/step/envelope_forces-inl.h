@@ -50,19 +50,22 @@ template <int kFixed> struct Ring {
     HWY_INLINE void add_ring_springs(const float* rest) {
         const Pack ring = rest_value(rest, Rest::ring),
                    damping = rest_value(rest, Rest::ring_damping);
+        Pack a[kMost], b[kMost], length[kMost], inverse[kMost];
         for (int k = 0; k < points(); ++k) {
             const Pack here = radius[k], there = radius[next(k)];
-            const Pack a = kFixed == 4 ? here : here - cosine(1) * there,
-                       b = kFixed == 4 ? there : there - cosine(1) * here;
-            const Pack squared = larger(a * here + b * there, Pack(1e-12f));
-            const Pack inverse = inverse_square_root(squared);
-            const Pack length_rate = (a * rate[k] + b * rate[next(k)]) * inverse;
+            a[k] = kFixed == 4 ? here : here - cosine(1) * there;
+            b[k] = kFixed == 4 ? there : there - cosine(1) * here;
+            length[k] = square_root(larger(a[k] * here + b[k] * there, Pack(1e-12f)));
+        }
+        reciprocals(length, inverse);
+        for (int k = 0; k < points(); ++k) {
+            const Pack length_rate = (a[k] * rate[k] + b[k] * rate[next(k)]) * inverse[k];
             const Pack rest_length =
                 Pack::load(rest + (RestRows::kColumns + points() + k) * kLanes);
             const Pack tension =
-                (ring * (squared * inverse - rest_length) + damping * length_rate) * inverse;
-            force[k] = force[k] - tension * a;
-            force[next(k)] = force[next(k)] - tension * b;
+                (ring * (length[k] - rest_length) + damping * length_rate) * inverse[k];
+            force[k] = force[k] - tension * a[k];
+            force[next(k)] = force[next(k)] - tension * b[k];
         }
     }
 
