@@ -43,6 +43,7 @@ class Detector {
     /// What is known of the surface around a section: nothing of it is nearer than `clear`.
     struct Reach {
         std::optional<SurfacePlace> place;
+        Vec3d way;      // unit, toward it
         Vec3d velocity; // of the nearest place
         double clear = 0;
     };
@@ -52,7 +53,7 @@ class Detector {
     // One search per section, as wide as any of its points could get to within the block. All else
     // follows from its answer, since the distance to a surface changes by no more than the way
     // between two points.
-    Reach look_around(std::uint32_t i, CarriedPoint& carried) const {
+    Reach look_around(std::uint32_t i, CarriedPoint& carried) {
         const double block = surface_.duration();
         double rate = 0;
         for (std::uint32_t line = 0; line < wisp_.k(); ++line)
@@ -65,8 +66,7 @@ class Detector {
             surface_.start().nearest(Vec3d(wisp_.x[i]), reach.clear, {}, carried.triangle);
         if (reach.place) {
             reach.clear = std::sqrt(reach.place->closest.squared);
-            if (carried.triangle != PosedSurface::kNoGuess)
-                stay_at(carried.triangle, Vec3d(wisp_.x[i]), reach);
+            reach.way = way_to_surface(Vec3d(wisp_.x[i]), reach.clear);
             carried.triangle = reach.place->triangle;
             if (block > 0)
                 reach.velocity = velocity_at(surface_, *reach.place);
@@ -76,13 +76,19 @@ class Detector {
         return reach;
     }
 
-    // Of two places as good as equally near, the wisp stays at the one of the block before: in a
-    // hollow a wisp at rest would else be held now from one side, now from the other, and shake.
-    void stay_at(std::uint32_t triangle, const Vec3d& x, Reach& reach) const {
-        constexpr double kAsNear = 1e-4; // [m] far over what a wisp at rest moves in a block
-        const ClosestPoint closest = closest_on_triangle(x, surface_.start().triangle(triangle));
-        if (std::sqrt(closest.squared) <= reach.clear + kAsNear)
-            reach.place = SurfacePlace{triangle, closest};
+    // The way to the surface, unit: to all places that are nearly as near as the nearest, each with
+    // a weight that falls to 0 where it is farther by this. In a hollow the one nearest place jumps
+    // from side to side, and the wisp's support with it; a wisp at rest would shake.
+    Vec3d way_to_surface(const Vec3d& x, double clear) {
+        constexpr double kAsNear = 1e-3; // [m]
+        surface_.start().within(x, clear + kAsNear, around_);
+        Vec3d sum;
+        for (const SurfacePlace& place : around_) {
+            const double distance = std::sqrt(place.closest.squared);
+            if (distance > 0)
+                sum += (place.closest.point - x) * ((1 - (distance - clear) / kAsNear) / distance);
+        }
+        return length(sum) > 0 ? normalized(sum) : sum;
     }
 
     void touch_section(std::uint32_t i, const Reach& reach) {
@@ -91,7 +97,7 @@ class Detector {
         touch({i, 0, 0, 0, 0}, reach.clear, reach.velocity);
         for (std::uint32_t line = 0; line < wisp_.k(); ++line)
             touch({i, 0, line, 1, 0}, reach.clear - double(wisp_.r(i, line)), reach.velocity);
-        touch_support(support_point(wisp_, i, 0, Vec3(way_to(i, reach))),
+        touch_support(support_point(wisp_, i, 0, Vec3(reach.way)),
                       reach.clear - double(wisp_.largest_radius(i)), reach);
     }
 
@@ -106,18 +112,9 @@ class Detector {
         touch({i, 0.5f, 0, 0, 0}, clear, nearer.velocity);
         // The arc reaches out toward both ends' nearest places: toward the nearer one alone it
         // would jump, and jolt the wisp, where they are equally near.
-        Vec3d toward;
-        if (a.place)
-            toward += normalized(way_to(i, a));
-        if (b.place)
-            toward += normalized(way_to(i + 1, b));
-        const WispPoint support = support_point(wisp_, i, 0.5f, Vec3(toward));
+        const WispPoint support = support_point(wisp_, i, 0.5f, Vec3(a.way + b.way));
         const float radius = std::max(wisp_.largest_radius(i), wisp_.largest_radius(i + 1));
         touch_support(support, clear - double(radius), nearer);
-    }
-
-    Vec3d way_to(std::uint32_t i, const Reach& reach) const {
-        return reach.place->closest.point - Vec3d(wisp_.x[i]);
     }
 
     void touch_support(const WispPoint& point, double clear, const Reach& reach) {
@@ -164,6 +161,7 @@ class Detector {
     const CharacterContactDesc& desc_;
     std::vector<SlidingContact>& contacts_;
     PlaneFinder planes_;
+    std::vector<SurfacePlace> around_;
 };
 
 } // namespace

@@ -22,7 +22,7 @@ inline std::vector<NamedStyle> three_styles() {
     a.parting = 0.02f, a.root_angle = 35, a.drape = 0.03f, a.volume = 0.015f;
     StyleDesc& b = m.hair.style;
     b.wisps = 73, b.segments = 9.9f, b.nape_length = 0.26f, b.crown_length = 0.34f;
-    b.root_radius = 0.026f, b.radius = 0.03f, b.tip_radius = 0.015f, b.widest = 0.5f;
+    b.root_radius = 0.027f, b.radius = 0.032f, b.tip_radius = 0.016f, b.widest = 0.5f;
     m.hair.skeleton.strain = 0.006f;
     // long: the defaults
     return {s, m, l};
