@@ -81,8 +81,8 @@ struct StraightWisp {
     float depth = 0.01f;          ///< [m] x₀ and x₁ are this far under and above the triangle
     Ramp radius = {0.02f, 0.01f}; ///< [m] from x₁ to the tip
     std::uint32_t strands = 1000; ///< [1]
-    SkeletonDesc skeleton;
-    EnvelopeDesc envelope;
+    SkeletonDesc skeleton = {};
+    EnvelopeDesc envelope = {};
 };
 WispDesign design(const StraightWisp& wisp, const Mesh& wearer);
 

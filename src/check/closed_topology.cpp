@@ -12,6 +12,7 @@ namespace {
 std::vector<std::uint32_t> joined_vertices(const std::vector<Vec3>& vertices) {
     std::map<std::tuple<float, float, float>, std::uint32_t> first;
     std::vector<std::uint32_t> joined;
+    joined.reserve(vertices.size());
     for (const Vec3& v : vertices)
         joined.push_back(
             first.try_emplace({v.x, v.y, v.z}, std::uint32_t(joined.size())).first->second);

@@ -101,8 +101,7 @@ class PartingJudge final : public Judge {
                 pairs.push_back({std::min(a, b), std::max(a, b)});
         }
         std::ranges::sort(pairs);
-        const auto repeated = std::ranges::unique(pairs);
-        pairs.erase(repeated.begin(), repeated.end());
+        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
         return pairs;
     }
 

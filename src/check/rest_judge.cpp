@@ -126,17 +126,15 @@ class RestJudge final : public Judge {
     void see_jitter(const FrameView& view) {
         if (!slope_)
             return;
-        const auto width = static_cast<std::size_t>(2 * slope_->reach() + 1);
+        const int middle = slope_->reach();
+        const std::size_t width = 2 * static_cast<std::size_t>(middle) + 1;
         frames_.push_back(view.frame);
         if (frames_.size() > width)
             frames_.pop_front();
         if (frames_.size() < width)
             return;
-        const auto middle = static_cast<std::size_t>(slope_->reach());
-        const std::uint32_t number = view.number - static_cast<std::uint32_t>(slope_->reach());
-        const auto frame = [&](int j) -> const Frame& {
-            return frames_[static_cast<std::size_t>(static_cast<int>(middle) + j)];
-        };
+        const std::uint32_t number = view.number - static_cast<std::uint32_t>(middle);
+        const auto frame = [&](int j) -> const Frame& { return frames_.begin()[middle + j]; };
         for_simulated([&](std::size_t s) {
             const Vec3d smooth =
                 (*slope_)([&](int j) { return Vec3d(frame(j).position[s]) + frame(j).origin; });

@@ -58,6 +58,7 @@ template <typename R, typename T> void add_member(ArrayWriter& out, const std::s
                                                   const char* unit, const std::vector<R>& records,
                                                   T R::*member) {
     std::vector<T> column;
+    column.reserve(records.size());
     for (const R& record : records)
         column.push_back(record.*member);
     out.add(name, unit, column);

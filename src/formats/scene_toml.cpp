@@ -146,7 +146,7 @@ class SceneReader {
                 result.wisps = read_wisps(*node.as_array());
                 continue;
             }
-            read_section(key, node, [&](const Field& field, const Value& value) {
+            read_section(key, node, [&, &key = key](const Field& field, const Value& value) {
                 if (!has(field.use, FieldUse::per_wisp))
                     throw InputError(at(key.source()) + ": " + field.key() +
                                      " is one for all wisps, no [[override]] can set it");

@@ -92,9 +92,10 @@ void add_surface(std::span<const Vec3> vertices,
         // upside-down ones.
         for (int i = 0; i < rows; ++i)
             for (int j = 0; j < 2 * (rows - i) - 1; ++j) {
+                const int column = j / 2;
                 const float third = j % 2 ? 2.0f / 3 : 1.0f / 3;
                 density.splat(p + ab * ((static_cast<float>(i) + third) / n) +
-                                  ac * ((static_cast<float>(j / 2) + third) / n),
+                                  ac * ((static_cast<float>(column) + third) / n),
                               amount);
             }
     }

@@ -1,0 +1,13 @@
+# Writes the one C++ example of README to EXAMPLE.
+file(READ ${README} text)
+string(REGEX MATCHALL "\n```cpp\n" blocks "${text}")
+list(LENGTH blocks count)
+if(NOT count EQUAL 1)
+    message(FATAL_ERROR "${README} has ${count} C++ examples; expected 1")
+endif()
+string(FIND "${text}" "\n```cpp\n" begin)
+math(EXPR begin "${begin} + 8")
+string(SUBSTRING "${text}" ${begin} -1 text)
+string(FIND "${text}" "\n```" end)
+string(SUBSTRING "${text}" 0 ${end} text)
+file(WRITE ${EXAMPLE} "${text}\n")

@@ -1,0 +1,60 @@
+/// Whole runs of the three styles after the character has stopped: what a user sees with
+/// `mane simulate scenes/X.toml --set motion.freeze=3` and `mane check`.
+
+#include "mane/cache.h"
+#include "mane/check.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <random>
+#include <string>
+
+using namespace mane;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Simulates a style that stops at 3 s, and judges it. Strands rest as their wisps do, so few are
+/// drawn.
+CheckReport stopped(const std::string& style) {
+    const fs::path file = fs::temp_directory_path() /
+                          ("mane_rest_" + std::to_string(std::random_device{}()) + ".mane");
+    const std::string command = "'" MANE_COMMAND "' simulate '" MANE_SOURCE_DIR "/scenes/" + style +
+                                ".toml' --set motion.freeze=3 -o '" + file.string() +
+                                "' >/dev/null";
+    REQUIRE(std::system(command.c_str()) == 0);
+    CheckReport report = check_run(CacheReader(file), {.strands = 10});
+    fs::remove(file);
+    for (const char* name : {"rest_speed", "still_speed", "rest_jitter"}) {
+        const Criterion& c = report[name];
+        MESSAGE(style << ": " << c.name << " " << 1e3 * c.value << " mm/s, bound "
+                      << 1e3 * c.bound);
+    }
+    return report;
+}
+
+} // namespace
+
+TEST_CASE("short and long come to rest") {
+    for (const char* style : {"short", "long"}) {
+        const CheckReport report = stopped(style);
+        CAPTURE(style);
+        for (const char* name : {"rest_speed", "still_speed", "rest_jitter"}) {
+            CAPTURE(name);
+            CHECK(report[name].verdict == Verdict::pass);
+        }
+    }
+}
+
+// Six seconds after the stop, some wisp of `medium` still creeps at 1.4 to 2.1 mm/s, depending on
+// the last digits of the run: the judge's bound of 1 mm/s, which is unchanged, is missed
+// (docs/results.md). This holds the figure where it is; hair that keeps shaking is far above it.
+TEST_CASE("medium comes to rest, but for a creep") {
+    const CheckReport report = stopped("medium");
+    CHECK(report["rest_speed"].verdict == Verdict::pass);
+    CHECK(report["rest_jitter"].verdict == Verdict::pass);
+    CHECK(report["still_speed"].bound == 0.001);
+    CHECK(report["still_speed"].value <= 0.004);
+}
