@@ -1,5 +1,7 @@
 #include "groom/roots.h"
 
+#include "groom/nearest_point.h"
+
 #include "base/random.h"
 
 #include <algorithm>
@@ -71,33 +73,24 @@ std::vector<std::size_t> farthest_first(const std::vector<ScalpPoint>& from, std
     return chosen;
 }
 
-template <typename Range, typename Position>
-std::size_t nearest(const Vec3d& p, const Range& range, Position&& position) {
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < range.size(); ++i) {
-        const double d = squared_distance(p, position(range[i]));
-        if (d < least)
-            least = d, best = i;
-    }
-    return best;
-}
-
 // Lloyd: each chosen point goes to the candidate nearest to the middle of those that are nearest to
 // it. This takes the chosen ones off the border, where farthest-first puts too many.
-void relax(const std::vector<ScalpPoint>& from, std::vector<std::size_t>& chosen) {
+void relax(const std::vector<Vec3d>& from, const NearestPoint& nearest_from,
+           std::vector<std::size_t>& chosen) {
+    std::vector<Vec3d> position;
+    for (const std::size_t c : chosen)
+        position.push_back(from[c]);
+    const NearestPoint owner(position);
     std::vector<Vec3d> sum(chosen.size());
     std::vector<double> members(chosen.size());
-    for (const ScalpPoint& p : from) {
-        const std::size_t owner =
-            nearest(p.position, chosen, [&](std::size_t c) { return from[c].position; });
-        sum[owner] += p.position;
-        members[owner] += 1;
+    for (const Vec3d& p : from) {
+        const std::size_t o = owner(p);
+        sum[o] += p;
+        members[o] += 1;
     }
     for (std::size_t i = 0; i < chosen.size(); ++i)
         if (members[i] > 0)
-            chosen[i] =
-                nearest(sum[i] / members[i], from, [](const ScalpPoint& p) { return p.position; });
+            chosen[i] = nearest_from(sum[i] / members[i]);
 }
 
 } // namespace
@@ -111,12 +104,16 @@ std::vector<ScalpPoint> spread_roots(const Mesh& mesh, std::span<const std::uint
     if (from.size() <= count)
         return from;
     std::vector<std::size_t> chosen = farthest_first(from, count);
+    std::vector<Vec3d> position;
+    for (const ScalpPoint& p : from)
+        position.push_back(p.position);
+    const NearestPoint nearest(position);
     for (int i = 0; i < kRelaxations; ++i)
-        relax(from, chosen);
+        relax(position, nearest, chosen);
     std::vector<ScalpPoint> roots;
     for (std::size_t c : chosen) {
         const Vec3d goal = from[c].position + upstream(from[c]);
-        roots.push_back(from[nearest(goal, from, [](const ScalpPoint& p) { return p.position; })]);
+        roots.push_back(from[nearest(goal)]);
     }
     return roots;
 }
