@@ -6,8 +6,6 @@
 namespace mane {
 namespace {
 
-/// Several times the rounding of single precision.
-constexpr float kRounding = 1e-6f;
 /// [m] over the rounding of double precision, near the origin too.
 constexpr float kLeast = 1e-9f;
 
@@ -17,19 +15,14 @@ float size_of(const Vec3d& p) {
 
 } // namespace
 
-BoxDistances::BoxDistances(const Vec3d& p)
-    : p_{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-      slack_(kRounding * size_of(p) + kLeast) {}
-
-Four BoxDistances::squared(const TriangleTree::Node& node) const {
-    Four sum{};
+BoxDistances::BoxDistances(const Vec3d& p) {
+    const float slack = kBoxRounding * size_of(p) + kLeast;
+    const std::array<float, 3> at{static_cast<float>(p.x), static_cast<float>(p.y),
+                                  static_cast<float>(p.z)};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Four below = node.low[axis] - (p_[axis] + slack_);
-        const Four above = (p_[axis] - slack_) - node.high[axis];
-        const Four gap = larger(larger(below, above), Four{});
-        sum += gap * gap;
+        above_[axis] = at[axis] + slack;
+        below_[axis] = at[axis] - slack;
     }
-    return sum * (1 - kRounding);
 }
 
 // Rounding moves what is compared by less than a millionth of the origin's and of the part's size.
@@ -46,7 +39,7 @@ BoxCrossings::BoxCrossings(const Vec3d& origin, const Vec3d& direction, double e
     for (std::size_t i = 0; i < 2; ++i)
         shear_[i] = static_cast<float>(way[axis_[i]] / way[largest]);
     const auto tip = static_cast<float>(way[largest] * end);
-    slack_ = kRounding * (size_of(origin) + std::abs(tip)) + kLeast;
+    slack_ = kBoxRounding * (size_of(origin) + std::abs(tip)) + kLeast;
     first_ = std::min(0.0f, tip);
     last_ = std::max(0.0f, tip);
 }

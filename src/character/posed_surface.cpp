@@ -40,27 +40,72 @@ Vec3d PosedSurface::normal(std::uint32_t t) const {
     return normalized(cross(corners.b - corners.a, corners.c - corners.a));
 }
 
+namespace {
+
+/// The nearest place found so far, and what rules out most triangles before their own nearest place
+/// is worked out: those wholly under the plane through the place across the way to it. All of that
+/// side is farther.
+class NearestSoFar {
+  public:
+    NearestSoFar(const Vec3d& p, double radius, const PosedSurface::Accept& accept)
+        : p_(p), accept_(accept) {
+        set_limit(radius * radius);
+    }
+
+    const std::optional<SurfacePlace>& place() const { return best_; }
+    bool out_of_reach(float squared) const { return squared > limit_of_boxes_; }
+
+    void look_at(std::uint32_t t, const Triangle& corners) {
+        if (best_ && under_plane(corners))
+            return;
+        const SurfacePlace candidate{t, closest_on_triangle(p_, corners)};
+        if (candidate.closest.squared > limit_)
+            return;
+        if (best_ && candidate.closest.squared == limit_ && t >= best_->triangle)
+            return;
+        if (accept_ && !accept_(candidate))
+            return;
+        take(candidate);
+    }
+
+  private:
+    static constexpr double kRounding = 1e-9; // [m] far over that of distances in double
+
+    bool under_plane(const Triangle& t) const {
+        return dot(t.a - p_, away_) < plane_ && dot(t.b - p_, away_) < plane_ &&
+               dot(t.c - p_, away_) < plane_;
+    }
+    void take(const SurfacePlace& candidate) {
+        best_ = candidate;
+        set_limit(candidate.closest.squared);
+        away_ = normalized(p_ - candidate.closest.point);
+        plane_ = -std::sqrt(limit_) - kRounding;
+    }
+    void set_limit(double squared) {
+        limit_ = squared;
+        limit_of_boxes_ = BoxDistances::at_least(squared);
+    }
+
+    Vec3d p_;
+    const PosedSurface::Accept& accept_;
+    std::optional<SurfacePlace> best_;
+    double limit_ = 0;
+    float limit_of_boxes_ = 0;
+    Vec3d away_; // unit, from the place to the point
+    double plane_ = 0;
+};
+
+} // namespace
+
 std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
                                                   const Accept& accept, std::uint32_t guess) const {
-    std::optional<SurfacePlace> best;
-    double limit = radius * radius;
-    const auto look_at = [&](std::uint32_t t, const Triangle& corners) {
-        const SurfacePlace candidate{t, closest_on_triangle(p, corners)};
-        if (candidate.closest.squared > limit)
-            return;
-        if (best && candidate.closest.squared == limit && t >= best->triangle)
-            return;
-        if (accept && !accept(candidate))
-            return;
-        best = candidate;
-        limit = candidate.closest.squared;
-    };
+    NearestSoFar best(p, radius, accept);
     if (guess < triangles_.size())
-        look_at(guess, triangle(guess));
+        best.look_at(guess, triangle(guess));
 
     const auto nodes = tree_.nodes();
     if (nodes.empty())
-        return best;
+        return best.place();
     const BoxDistances distances(p);
     struct Entry {
         std::uint32_t first, count;
@@ -71,10 +116,10 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
     stack[depth++] = {};
     while (depth > 0) {
         const Entry entry = stack[--depth];
-        if (double(entry.squared) > limit)
+        if (best.out_of_reach(entry.squared))
             continue;
         for (std::uint32_t i = entry.first; i < entry.first + entry.count; ++i)
-            look_at(tree_.order()[i], in_double(corners_[i]));
+            best.look_at(tree_.order()[i], in_double(corners_[i]));
         if (entry.count > 0)
             continue;
         const TriangleTree::Node& node = nodes[entry.first];
@@ -82,7 +127,7 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
         // sorted in, the nearest on top
         const std::size_t bottom = depth;
         for (std::size_t box = 0; box < node.boxes; ++box) {
-            if (double(squared[box]) > limit)
+            if (best.out_of_reach(squared[box]))
                 continue;
             std::size_t place = depth++;
             for (; place > bottom && stack[place - 1].squared < squared[box]; --place)
@@ -90,7 +135,7 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
             stack[place] = {node.first[box], node.count[box], squared[box]};
         }
     }
-    return best;
+    return best.place();
 }
 
 void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const {
@@ -99,6 +144,7 @@ void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlac
     if (nodes.empty())
         return;
     const double limit = radius * radius;
+    const float limit_of_boxes = BoxDistances::at_least(limit);
     const BoxDistances distances(p);
     std::array<std::uint32_t, TriangleTree::kDepth> stack;
     std::size_t depth = 0;
@@ -107,7 +153,7 @@ void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlac
         const TriangleTree::Node& node = nodes[stack[--depth]];
         const auto squared = distances.squared(node);
         for (std::size_t box = 0; box < node.boxes; ++box) {
-            if (double(squared[box]) > limit)
+            if (squared[box] > limit_of_boxes)
                 continue;
             const std::uint32_t first = node.first[box], end = first + node.count[box];
             for (std::uint32_t i = first; i < end; ++i) {
