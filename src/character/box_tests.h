@@ -3,6 +3,7 @@
 #include "character/triangle_tree.h"
 
 #include <array>
+#include <span>
 
 namespace mane {
 
@@ -34,6 +35,25 @@ class BoxDistances {
 
   private:
     std::array<float, 3> above_, below_; // the point, widened by the slack
+};
+
+/// A convex region that holds some points: their box, cut by a plane across `way` with all of them
+/// before it.
+class CutBox {
+  public:
+    /// `way`: best a unit way out of the surface that the points are thought to be clear of. Zero
+    /// leaves the box uncut.
+    CutBox(const Vec3& way, std::span<const Vec3> points);
+
+    /// Over 0 where nothing in the box is in the region.
+    Four apart(const TriangleTree::Node& node) const;
+    /// Whether a triangle is wholly behind the plane.
+    bool behind(const std::array<Vec3, 3>& corners) const;
+
+  private:
+    std::array<float, 3> way_;
+    std::array<float, 3> low_, high_;
+    float least_; // along the way, of the points, less what rounds
 };
 
 /// The part of a line from `origin` to `end` times `direction` (not zero) beyond it.

@@ -226,6 +226,31 @@ bool PosedSurface::crosses(const Vec3d& a, const Vec3d& b) const {
     return any;
 }
 
+bool PosedSurface::clear_of(const CutBox& region) const {
+    const auto nodes = tree_.nodes();
+    if (nodes.empty())
+        return true;
+    std::array<std::uint32_t, TriangleTree::kDepth> stack;
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        const TriangleTree::Node& node = nodes[stack[--depth]];
+        const auto apart = region.apart(node);
+        for (std::size_t box = 0; box < node.boxes; ++box) {
+            if (apart[box] > 0)
+                continue;
+            const std::uint32_t first = node.first[box], last = first + node.count[box];
+            for (std::uint32_t i = first; i < last; ++i) {
+                if (!region.behind(corners_[i]))
+                    return false;
+            }
+            if (first == last)
+                stack[depth++] = first;
+        }
+    }
+    return true;
+}
+
 bool PosedSurface::outside_bounds(const Vec3d& p) const {
     if (triangles_.empty())
         return true;

@@ -13,6 +13,8 @@
 
 namespace mane {
 
+class CutBox;
+
 /// A place on a surface: a point of one of its triangles.
 struct SurfacePlace {
     std::uint32_t triangle = 0;
@@ -59,6 +61,10 @@ class PosedSurface {
     void crossings(const Vec3d& a, const Vec3d& b, std::vector<Crossing>& found) const;
     /// Whether the segment from `a` to `b` goes through any triangle.
     bool crosses(const Vec3d& a, const Vec3d& b) const;
+
+    /// Whether nothing of the surface comes into a region, by bounds that are cheap and may fail to
+    /// tell: what they say is so, but a region of which they say nothing may be free too.
+    bool clear_of(const CutBox& region) const;
 
     /// How many times the surface winds round `p`: a whole number, since the mesh is closed.
     int winding(const Vec3d& p) const;

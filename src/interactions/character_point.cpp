@@ -100,6 +100,22 @@ Vec3 WispCopy::velocity(const WispPoint& p) const {
            (v[p.section + 1] + offset_rate(p.section + 1, p)) * p.along;
 }
 
+// α = β on α² + β² + 2αβC = 1.
+WispPoint WispCopy::half_arc(std::uint32_t section, std::uint32_t line) const {
+    const float c = dot(d(section, line), d(section, next(line)));
+    const float share = 1 / std::sqrt(2 + 2 * c);
+    return {section, 0, line, share, share};
+}
+
+Vec3 WispCopy::halfway(std::uint32_t i, const WispPoint& place) const {
+    const auto at = [&](std::uint32_t section) {
+        WispPoint p = place;
+        p.section = std::min(section, sections() - 1);
+        return position(p);
+    };
+    return (at(i - 1) + at(i)) * (9.0f / 16) - (at(i - 2) + at(i + 1)) * (1.0f / 16);
+}
+
 float WispCopy::inverse_mass(const WispPoint& p, const Vec3& e) const {
     float sum = 0;
     const Shares share = shares(p);

@@ -63,6 +63,13 @@ class WispCopy {
     Vec3 position(const WispPoint& p) const;
     Vec3 velocity(const WispPoint& p) const;
 
+    /// The middle of the drawn arc from half line `line` of a section to the next.
+    WispPoint half_arc(std::uint32_t section, std::uint32_t line) const;
+    /// The point of a strand's curve halfway from section i − 1 (not the first) to i: Catmull-Rom
+    /// through its places in four sections. `place` says where in a section; its section does not
+    /// count.
+    Vec3 halfway(std::uint32_t i, const WispPoint& place) const;
+
     /// Inverse mass that an impulse along the unit direction `e` meets at a point [1/kg]: e·W e of
     /// docs/interactions.md.
     float inverse_mass(const WispPoint& p, const Vec3& e) const;
