@@ -24,11 +24,12 @@ Slot WispCopy::slot(const HairView& hair, std::uint32_t section) const {
 }
 
 void WispCopy::load(const HairView& hair, std::uint32_t number) {
-    load(hair, number, 0, static_cast<std::uint32_t>(hair.groom.sections(number)));
+    load_motion(hair, number, 0, static_cast<std::uint32_t>(hair.groom.sections(number)));
+    load_masses(hair);
 }
 
-void WispCopy::load(const HairView& hair, std::uint32_t number, std::uint32_t first,
-                    std::uint32_t end) {
+void WispCopy::load_motion(const HairView& hair, std::uint32_t number, std::uint32_t first,
+                           std::uint32_t end) {
     number_ = number;
     first_ = first;
     end_ = end;
@@ -36,7 +37,6 @@ void WispCopy::load(const HairView& hair, std::uint32_t number, std::uint32_t fi
     const std::size_t n = hair.groom.sections(number);
     x.resize(n);
     v.resize(n);
-    mass_.resize(n);
     directions.resize(n * k());
     radius.resize(n * k());
     radius_rate.resize(n * k());
@@ -44,13 +44,18 @@ void WispCopy::load(const HairView& hair, std::uint32_t number, std::uint32_t fi
         const Slot here = slot(hair, i);
         x[i] = hair.state.position.vec(here);
         v[i] = hair.state.velocity.vec(here);
-        mass_[i] = SectionMass::of(hair, hair.groom.first_section[number] + i);
         for (std::uint32_t line = 0; line < k(); ++line) {
             directions[i * k() + line] = half_line_direction(hair, here, line);
             r(i, line) = hair.state.radius.at(here, line);
             rate(i, line) = hair.state.radius_rate.at(here, line);
         }
     }
+}
+
+void WispCopy::load_masses(const HairView& hair) {
+    mass_.resize(x.size());
+    for (std::uint32_t i = first_; i < end_; ++i)
+        mass_[i] = SectionMass::of(hair, hair.groom.first_section[number_] + i);
 }
 
 void WispCopy::store_velocities(const HairView& hair, State& state) const {

@@ -32,8 +32,12 @@ class WispCopy {
   public:
     /// Reads wisp `number` of `hair`: positions, frames, radii, velocities, masses.
     void load(const HairView& hair, std::uint32_t number);
-    /// The same of its sections from `first` to before `end` only; the others hold nothing.
-    void load(const HairView& hair, std::uint32_t number, std::uint32_t first, std::uint32_t end);
+    /// The same of its sections from `first` to before `end` only, without the masses; the others
+    /// hold nothing.
+    void load_motion(const HairView& hair, std::uint32_t number, std::uint32_t first,
+                     std::uint32_t end);
+    /// The masses of the sections that were read.
+    void load_masses(const HairView& hair);
     /// Writes the velocities and rates of the simulated sections that were read back.
     void store_velocities(const HairView& hair, State& state) const;
     /// Writes a section's position and radii back.
