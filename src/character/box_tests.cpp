@@ -25,39 +25,33 @@ BoxDistances::BoxDistances(const Vec3d& p) {
     }
 }
 
-// What is compared is within the box of the points: it rounds by less than a millionth of the
-// farthest corner's size along the way.
-CutBox::CutBox(const Vec3& way, std::span<const Vec3> points) : way_{way.x, way.y, way.z} {
-    Vec3 low = points[0], high = points[0];
-    float least = dot(way, points[0]);
-    for (const Vec3& p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-        least = std::min(least, dot(way, p));
-    }
-    low_ = {low.x, low.y, low.z};
-    high_ = {high.x, high.y, high.z};
+// What is compared is within the box: it rounds by less than a millionth of its farthest corner's
+// size along the way.
+BoxHeights::BoxHeights(const Vec3& way, const TriangleTree::Box& box)
+    : way_{way.x, way.y, way.z}, low_{box.low.x, box.low.y, box.low.z}, high_{box.high.x,
+                                                                              box.high.y,
+                                                                              box.high.z} {
     float size = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
         size += std::abs(way_[axis]) * std::max(std::abs(low_[axis]), std::abs(high_[axis]));
-    least_ = least - kBoxRounding * size;
+    slack_ = kBoxRounding * size;
 }
 
-Four CutBox::apart(const TriangleTree::Node& node) const {
-    Four gap{}, farthest{};
+Four BoxHeights::highest(const TriangleTree::Node& node) const {
+    Four gap{}, height = Four{} + slack_;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         gap = larger(gap, larger(node.low[axis] - high_[axis], low_[axis] - node.high[axis]));
-        farthest += way_[axis] > 0 ? way_[axis] * smaller(node.high[axis], Four{} + high_[axis])
-                                   : way_[axis] * larger(node.low[axis], Four{} + low_[axis]);
+        height += way_[axis] > 0 ? way_[axis] * smaller(node.high[axis], Four{} + high_[axis])
+                                 : way_[axis] * larger(node.low[axis], Four{} + low_[axis]);
     }
-    return larger(gap, least_ - farthest);
+    return gap > 0 ? Four{} + kLowest : height;
 }
 
-bool CutBox::behind(const std::array<Vec3, 3>& corners) const {
-    const Vec3d way{way_[0], way_[1], way_[2]};
-    return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
-        return dot(way, Vec3d(corner)) < double(least_);
-    });
+float BoxHeights::highest(const std::array<Vec3, 3>& corners) const {
+    const Vec3d way{double(way_[0]), double(way_[1]), double(way_[2])};
+    const double height = std::max(
+        {dot(way, Vec3d(corners[0])), dot(way, Vec3d(corners[1])), dot(way, Vec3d(corners[2]))});
+    return static_cast<float>(height + std::abs(height) * double(kBoxRounding));
 }
 
 // Rounding moves what is compared by less than a millionth of the origin's and of the part's size.

@@ -3,7 +3,6 @@
 #include "character/triangle_tree.h"
 
 #include <array>
-#include <span>
 
 namespace mane {
 
@@ -37,23 +36,23 @@ class BoxDistances {
     std::array<float, 3> above_, below_; // the point, widened by the slack
 };
 
-/// A convex region that holds some points: their box, cut by a plane across `way` with all of them
-/// before it.
-class CutBox {
+/// Heights along a way, of what is within a box that is along the axes.
+class BoxHeights {
   public:
-    /// `way`: best a unit way out of the surface that the points are thought to be clear of. Zero
-    /// leaves the box uncut.
-    CutBox(const Vec3& way, std::span<const Vec3> points);
+    /// `way`: unit, or zero: then all heights are 0.
+    BoxHeights(const Vec3& way, const TriangleTree::Box& box);
 
-    /// Over 0 where nothing in the box is in the region.
-    Four apart(const TriangleTree::Node& node) const;
-    /// Whether a triangle is wholly behind the plane.
-    bool behind(const std::array<Vec3, 3>& corners) const;
+    /// Not lower than anything within both boxes; lowest of all where they are apart.
+    Four highest(const TriangleTree::Node& node) const;
+    /// Not lower than the triangle.
+    float highest(const std::array<Vec3, 3>& corners) const;
+    static constexpr float kLowest = -1e30f;
+    /// More than a height in the box may be off when reckoned in single precision.
+    float slack() const { return slack_; }
 
   private:
-    std::array<float, 3> way_;
-    std::array<float, 3> low_, high_;
-    float least_; // along the way, of the points, less what rounds
+    std::array<float, 3> way_, low_, high_;
+    float slack_;
 };
 
 /// The part of a line from `origin` to `end` times `direction` (not zero) beyond it.

@@ -226,29 +226,28 @@ bool PosedSurface::crosses(const Vec3d& a, const Vec3d& b) const {
     return any;
 }
 
-bool PosedSurface::clear_of(const CutBox& region) const {
+float PosedSurface::roof(const BoxHeights& heights, float floor, float enough) const {
+    float roof = floor;
     const auto nodes = tree_.nodes();
     if (nodes.empty())
-        return true;
+        return roof;
     std::array<std::uint32_t, TriangleTree::kDepth> stack;
     std::size_t depth = 0;
     stack[depth++] = 0;
-    while (depth > 0) {
+    while (depth > 0 && roof <= enough) {
         const TriangleTree::Node& node = nodes[stack[--depth]];
-        const auto apart = region.apart(node);
+        const auto highest = heights.highest(node);
         for (std::size_t box = 0; box < node.boxes; ++box) {
-            if (apart[box] > 0)
+            if (highest[box] <= roof)
                 continue;
             const std::uint32_t first = node.first[box], last = first + node.count[box];
-            for (std::uint32_t i = first; i < last; ++i) {
-                if (!region.behind(corners_[i]))
-                    return false;
-            }
+            for (std::uint32_t i = first; i < last; ++i)
+                roof = std::max(roof, std::min(highest[box], heights.highest(corners_[i])));
             if (first == last)
                 stack[depth++] = first;
         }
     }
-    return true;
+    return roof;
 }
 
 bool PosedSurface::outside_bounds(const Vec3d& p) const {

@@ -13,7 +13,7 @@
 
 namespace mane {
 
-class CutBox;
+class BoxHeights;
 
 /// A place on a surface: a point of one of its triangles.
 struct SurfacePlace {
@@ -62,9 +62,9 @@ class PosedSurface {
     /// Whether the segment from `a` to `b` goes through any triangle.
     bool crosses(const Vec3d& a, const Vec3d& b) const;
 
-    /// Whether nothing of the surface comes into a region, by bounds that are cheap and may fail to
-    /// tell: what they say is so, but a region of which they say nothing may be free too.
-    bool clear_of(const CutBox& region) const;
+    /// A height that nothing of the surface within a box is over, not under `floor`. It is a bound,
+    /// cheap and not tight; where it is over `enough` it stops short and is none.
+    float roof(const BoxHeights& heights, float floor, float enough) const;
 
     /// How many times the surface winds round `p`: a whole number, since the mesh is closed.
     int winding(const Vec3d& p) const;

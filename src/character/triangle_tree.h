@@ -55,4 +55,7 @@ class TriangleTree {
     Box bounds_;
 };
 
+/// The box that holds two.
+TriangleTree::Box both(const TriangleTree::Box& a, const TriangleTree::Box& b);
+
 } // namespace mane

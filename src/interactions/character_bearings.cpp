@@ -87,7 +87,16 @@ bool CharacterBearings::find_segment_free(std::uint32_t i, std::uint32_t b) {
                 points_.push_back(wisp_.halfway(i, point));
         }
     }
-    return bodies_[b].surface->end().clear_of(CutBox(way_out(i, b), points_));
+    const Vec3 way = way_out(i, b);
+    TriangleTree::Box box{points_[0], points_[0]};
+    float lowest = dot(way, points_[0]);
+    for (const Vec3& p : points_) {
+        box = both(box, {p, p});
+        lowest = std::min(lowest, dot(way, p));
+    }
+    const BoxHeights heights(way, box);
+    lowest -= heights.slack() + kOver; // also where the way is zero, all heights alike
+    return bodies_[b].surface->end().roof(heights, lowest, lowest) <= lowest;
 }
 
 /// From the polygon that was nearest at the block's start, to this section or to one before it:

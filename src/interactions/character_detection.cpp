@@ -1,3 +1,4 @@
+#include "character/box_tests.h"
 #include "interactions/character_contact.h"
 #include "interactions/character_planes.h"
 
@@ -11,6 +12,7 @@ namespace {
 constexpr std::size_t kWispsPerChunk = 16;
 /// A support point this near to an envelope point is that point.
 constexpr float kAtEnvelopePoint = 0.98f;
+constexpr float kOver = 1e-5f; // [m] over the rounding of positions
 
 /// Detection for one wisp and one body, from root to tip.
 class Detector {
@@ -34,6 +36,7 @@ class Detector {
             if (!under && block > 0) {
                 touch_segment(i - 1, before, here);
                 touch_section(i, here);
+                find_planes(here.place ? here : before);
             }
             before = here;
         }
@@ -42,6 +45,7 @@ class Detector {
   private:
     /// What is known of the surface around a section: nothing of it is nearer than `clear`.
     struct Reach {
+        Vec3d from;
         std::optional<SurfacePlace> place;
         Vec3d velocity; // of the nearest place
         double clear = 0;
@@ -60,6 +64,7 @@ class Detector {
         const double speed =
             length(Vec3d(wisp_.v[i])) + rate + surface_.fastest() + kAcceleration * block;
         Reach reach;
+        reach.from = Vec3d(wisp_.x[i]);
         reach.clear = double(desc_.threshold) + double(wisp_.largest_radius(i)) + speed * block;
         reach.place =
             surface_.start().nearest(Vec3d(wisp_.x[i]), reach.clear, {}, carried.triangle);
@@ -127,19 +132,56 @@ class Detector {
             touch(point, clear, reach.velocity);
     }
 
-    /// Looks for the planes of one point, nothing being nearer to it than `clear`.
+    /// Takes note of a point for which planes are to be looked for. Nothing is nearer to it than
+    /// `clear`.
     void touch(const WispPoint& point, double clear, const Vec3d& surface_velocity) {
         Approach approach;
         approach.velocity = Vec3d(wisp_.velocity(point));
         approach.speed = length(approach.velocity - surface_velocity);
         approach.threshold = double(desc_.threshold);
         approach.push_out = double(desc_.push_out);
-        const double block = surface_.duration();
-        if (clear > approach.threshold + (approach.speed + kAcceleration * block) * block)
+        if (clear > approach.reach(surface_.duration()))
             return;
         approach.position = Vec3d(wisp_.position(point));
-        for (const NearPlane& plane : planes_.find(surface_, approach))
-            add(point, plane);
+        touches_.push_back({point, approach});
+    }
+
+    /// Looks for the planes of the points that were noted. Many are on the wisp's far side from the
+    /// surface, higher than all of it around. `near`: which says where that is.
+    void find_planes(const Reach& near) {
+        if (touches_.empty())
+            return;
+        const Vec3 way = Vec3(normalized(near.from - near.place->closest.point));
+        const float roof = roof_under_touches(way, near);
+        for (const auto& [point, approach] : touches_) {
+            if (height(way, approach) > roof)
+                continue;
+            for (const NearPlane& plane : planes_.find(surface_, approach))
+                add(point, plane);
+        }
+        touches_.clear();
+    }
+
+    /// How far along `way` the lowest place is that a point could reach.
+    float height(const Vec3& way, const Approach& approach) const {
+        return dot(way, Vec3(approach.position)) - reach_of(approach);
+    }
+    float reach_of(const Approach& approach) const {
+        return static_cast<float>(approach.reach(surface_.duration())) + kOver;
+    }
+
+    float roof_under_touches(const Vec3& way, const Reach& near) const {
+        TriangleTree::Box box{Vec3(near.from), Vec3(near.from)};
+        float highest = BoxHeights::kLowest;
+        for (const auto& [point, approach] : touches_) {
+            const float reach = reach_of(approach);
+            const Vec3 corner(reach, reach, reach), p(approach.position);
+            box = both(box, {p - corner, p + corner});
+            highest = std::max(highest, height(way, approach));
+        }
+        const float floor = dot(way, Vec3(near.place->closest.point));
+        const BoxHeights heights(way, box);
+        return surface_.start().roof(heights, floor, highest) + heights.slack();
     }
 
     void add(const WispPoint& point, const NearPlane& plane) {
@@ -164,6 +206,11 @@ class Detector {
     const CharacterContactDesc& desc_;
     std::vector<SlidingContact>& contacts_;
     PlaneFinder planes_;
+    struct Touch {
+        WispPoint point;
+        Approach approach;
+    };
+    std::vector<Touch> touches_;
 };
 
 } // namespace
