@@ -138,6 +138,60 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
     return best.place();
 }
 
+namespace {
+
+/// The half-space that a ball round a point leaves on one side, in single precision.
+class BehindBall {
+  public:
+    BehindBall(const Vec3d& p, double radius, const Vec3d& away, const TriangleTree::Box& bounds)
+        : p_(p), away_(away) {
+        const float size = size_of(p_) + size_of(bounds.low) + size_of(bounds.high);
+        plane_ = -static_cast<float>(radius) - kBoxRounding * size;
+    }
+    bool holds(const std::array<Vec3, 3>& corners) const {
+        return dot(corners[0] - p_, away_) < plane_ && dot(corners[1] - p_, away_) < plane_ &&
+               dot(corners[2] - p_, away_) < plane_;
+    }
+
+  private:
+    static float size_of(const Vec3& p) { return std::abs(p.x) + std::abs(p.y) + std::abs(p.z); }
+
+    Vec3 p_, away_;
+    float plane_;
+};
+
+} // namespace
+
+bool PosedSurface::any_within(const Vec3d& p, double radius, const Vec3d& away) const {
+    const auto nodes = tree_.nodes();
+    if (nodes.empty())
+        return false;
+    const double limit = radius * radius;
+    const float limit_of_boxes = BoxDistances::at_least(limit);
+    const BoxDistances distances(p);
+    const BehindBall behind(p, radius, away, tree_.bounds());
+    std::array<std::uint32_t, TriangleTree::kDepth> stack;
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        const TriangleTree::Node& node = nodes[stack[--depth]];
+        const auto squared = distances.squared(node);
+        for (std::size_t box = 0; box < node.boxes; ++box) {
+            if (squared[box] > limit_of_boxes)
+                continue;
+            const std::uint32_t first = node.first[box], end = first + node.count[box];
+            for (std::uint32_t i = first; i < end; ++i) {
+                if (!behind.holds(corners_[i]) &&
+                    closest_on_triangle(p, in_double(corners_[i])).squared <= limit)
+                    return true;
+            }
+            if (first == end)
+                stack[depth++] = first;
+        }
+    }
+    return false;
+}
+
 void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const {
     places.clear();
     const auto nodes = tree_.nodes();

@@ -54,6 +54,9 @@ class PosedSurface {
     std::optional<SurfacePlace> nearest(const Vec3d& p, double radius, const Accept& accept = {},
                                         std::uint32_t guess = kNoGuess) const;
     static constexpr std::uint32_t kNoGuess = 0xffffffffu;
+    /// Whether anything is within `radius` [m] of `p`. `away`: unit, from where the surface is
+    /// nearest by guess to `p`; a good one saves time, any gives the same answer.
+    bool any_within(const Vec3d& p, double radius, const Vec3d& away) const;
     /// The nearest place of every triangle within `radius` [m] of `p`, by rising triangle.
     void within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const;
     /// All crossings of the segment from `a` to `b`, by rising position, then triangle. Watertight:

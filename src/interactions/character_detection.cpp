@@ -43,13 +43,18 @@ class Detector {
     }
 
   private:
-    /// What is known of the surface around a section: nothing of it is nearer than `clear`.
+    /// What is known of the surface around a section: nothing of it is nearer than `clear`, and
+    /// something is as near as `nearest`, if anything is.
     struct Reach {
         Vec3d from;
         std::optional<SurfacePlace> place;
-        Vec3d velocity; // of the nearest place
-        double clear = 0;
+        Vec3d velocity; // of the place
+        double clear = 0, nearest = 0;
     };
+    /// [m] far over what a wisp at rest moves in a block. Of two places as good as equally near,
+    /// the wisp stays at the one of the block before: in a hollow a wisp at rest would else be held
+    /// now from one side, now from the other, and shake.
+    static constexpr double kAsNear = 1e-4;
 
     bool inside(std::uint32_t i) const { return surface_.start().inside(Vec3d(wisp_.x[i])); }
 
@@ -65,13 +70,11 @@ class Detector {
             length(Vec3d(wisp_.v[i])) + rate + surface_.fastest() + kAcceleration * block;
         Reach reach;
         reach.from = Vec3d(wisp_.x[i]);
-        reach.clear = double(desc_.threshold) + double(wisp_.largest_radius(i)) + speed * block;
-        reach.place =
-            surface_.start().nearest(Vec3d(wisp_.x[i]), reach.clear, {}, carried.triangle);
+        const double radius =
+            double(desc_.threshold) + double(wisp_.largest_radius(i)) + speed * block;
+        if (!stay_at(carried.triangle, radius, reach))
+            search(carried.triangle, radius, reach);
         if (reach.place) {
-            reach.clear = std::sqrt(reach.place->closest.squared);
-            if (carried.triangle != PosedSurface::kNoGuess)
-                stay_at(carried.triangle, Vec3d(wisp_.x[i]), reach);
             carried.triangle = reach.place->triangle;
             if (block > 0)
                 reach.velocity = velocity_at(surface_, *reach.place);
@@ -81,13 +84,51 @@ class Detector {
         return reach;
     }
 
-    // Of two places as good as equally near, the wisp stays at the one of the block before: in a
-    // hollow a wisp at rest would else be held now from one side, now from the other, and shake.
-    void stay_at(std::uint32_t triangle, const Vec3d& x, Reach& reach) const {
-        constexpr double kAsNear = 1e-4; // [m] far over what a wisp at rest moves in a block
-        const ClosestPoint closest = closest_on_triangle(x, surface_.start().triangle(triangle));
-        if (std::sqrt(closest.squared) <= reach.clear + kAsNear)
-            reach.place = SurfacePlace{triangle, closest};
+    /// The place of the block before, if that is in reach and nothing is nearer by more than
+    /// kAsNear: that is told sooner than what is nearest.
+    bool stay_at(std::uint32_t triangle, double radius, Reach& reach) const {
+        constexpr double kRounding = 1e-9; // [m] far over that of distances in double
+        if (triangle == PosedSurface::kNoGuess)
+            return false;
+        const ClosestPoint closest =
+            closest_on_triangle(reach.from, surface_.start().triangle(triangle));
+        const double distance = std::sqrt(closest.squared);
+        const double nearer = distance - kAsNear + kRounding;
+        if (distance > radius - kRounding || nearer <= 0)
+            return false;
+        const Vec3d away = (reach.from - closest.point) / distance;
+        if (surface_.start().any_within(reach.from, nearer, away))
+            return false;
+        reach.place = SurfacePlace{triangle, closest};
+        reach.clear = nearer;
+        reach.nearest = distance;
+        return true;
+    }
+
+    void search(std::uint32_t before, double radius, Reach& reach) const {
+        reach.place = surface_.start().nearest(reach.from, radius, {}, before);
+        reach.clear = reach.nearest =
+            reach.place ? std::sqrt(reach.place->closest.squared) : radius;
+        if (!reach.place || before == PosedSurface::kNoGuess)
+            return;
+        const ClosestPoint closest =
+            closest_on_triangle(reach.from, surface_.start().triangle(before));
+        if (std::sqrt(closest.squared) <= reach.nearest + kAsNear)
+            reach.place = SurfacePlace{before, closest};
+    }
+
+    /// Whether `a` is nearer to the surface than `b`. Both have a place.
+    bool nearer(const Reach& a, const Reach& b) const {
+        if (a.nearest <= b.clear || b.nearest <= a.clear)
+            return a.nearest <= b.clear && a.clear < b.nearest;
+        return distance(a) < distance(b);
+    }
+    double distance(const Reach& reach) const {
+        if (reach.clear == reach.nearest)
+            return reach.nearest;
+        const auto nearest = surface_.start().nearest(reach.from, reach.nearest * (1 + 1e-9), {},
+                                                      reach.place->triangle);
+        return std::sqrt(nearest->closest.squared);
     }
 
     void touch_section(std::uint32_t i, const Reach& reach) {
@@ -104,11 +145,11 @@ class Detector {
     // segment less than to the clearer of its ends.
     void touch_segment(std::uint32_t i, const Reach& a, const Reach& b) {
         const double half = length(Vec3d(wisp_.x[i + 1]) - Vec3d(wisp_.x[i])) / 2;
-        const Reach& nearer = !b.place || (a.place && a.clear < b.clear) ? a : b;
-        if (!nearer.place)
+        const Reach& near = !b.place || (a.place && nearer(a, b)) ? a : b;
+        if (!near.place)
             return;
         const double clear = std::max(a.clear, b.clear) - half;
-        touch({i, 0.5f, 0, 0, 0}, clear, nearer.velocity);
+        touch({i, 0.5f, 0, 0, 0}, clear, near.velocity);
         // The arc reaches out toward both ends' nearest places: toward the nearer one alone it
         // would jump, and jolt the wisp, where they are equally near.
         Vec3d toward;
@@ -118,7 +159,7 @@ class Detector {
             toward += normalized(way_to(i + 1, b));
         const WispPoint support = support_point(wisp_, i, 0.5f, Vec3(toward));
         const float radius = std::max(wisp_.largest_radius(i), wisp_.largest_radius(i + 1));
-        touch_support(support, clear - double(radius), nearer);
+        touch_support(support, clear - double(radius), near);
     }
 
     Vec3d way_to(std::uint32_t i, const Reach& reach) const {
