@@ -20,8 +20,8 @@ BoxDistances::BoxDistances(const Vec3d& p) {
     const std::array<float, 3> at{static_cast<float>(p.x), static_cast<float>(p.y),
                                   static_cast<float>(p.z)};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        above_[axis] = at[axis] + slack;
-        below_[axis] = at[axis] - slack;
+        above_[axis] = Four{} + (at[axis] + slack);
+        below_[axis] = Four{} + (at[axis] - slack);
     }
 }
 

@@ -33,7 +33,7 @@ class BoxDistances {
     }
 
   private:
-    std::array<float, 3> above_, below_; // the point, widened by the slack
+    std::array<Four, 3> above_, below_; // the point, widened by the slack
 };
 
 /// Heights along a way, of what is within a box that is along the axes.

@@ -53,7 +53,7 @@ class NearestSoFar {
     }
 
     const std::optional<SurfacePlace>& place() const { return best_; }
-    bool out_of_reach(float squared) const { return squared > limit_of_boxes_; }
+    float limit_of_boxes() const { return limit_of_boxes_; }
 
     void look_at(std::uint32_t t, const Triangle& corners) {
         if (best_ && under_plane(corners))
@@ -97,6 +97,31 @@ class NearestSoFar {
 
 } // namespace
 
+/// Goes through the boxes of every node that look_into(node) tells to look into, and calls
+/// visit(i, box) for the triangles there, i their place in the tree's order, until it returns
+/// false.
+template <typename LookInto, typename Visit>
+void PosedSurface::walk(LookInto&& look_into, Visit&& visit) const {
+    const auto nodes = tree_.nodes();
+    if (nodes.empty())
+        return;
+    std::array<std::uint32_t, TriangleTree::kDepth> stack;
+    std::size_t depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        const TriangleTree::Node& node = nodes[stack[--depth]];
+        for (std::size_t box : Those(look_into(node))) {
+            const std::uint32_t first = node.first[box], last = first + node.count[box];
+            for (std::uint32_t i = first; i < last; ++i) {
+                if (!visit(i, box))
+                    return;
+            }
+            if (first == last)
+                stack[depth++] = first;
+        }
+    }
+}
+
 std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
                                                   const Accept& accept, std::uint32_t guess) const {
     NearestSoFar best(p, radius, accept);
@@ -116,7 +141,7 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
     stack[depth++] = {};
     while (depth > 0) {
         const Entry entry = stack[--depth];
-        if (best.out_of_reach(entry.squared))
+        if (entry.squared > best.limit_of_boxes())
             continue;
         for (std::uint32_t i = entry.first; i < entry.first + entry.count; ++i)
             best.look_at(tree_.order()[i], in_double(corners_[i]));
@@ -126,9 +151,7 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
         const auto squared = distances.squared(node);
         // sorted in, the nearest on top
         const std::size_t bottom = depth;
-        for (std::size_t box = 0; box < node.boxes; ++box) {
-            if (best.out_of_reach(squared[box]))
-                continue;
+        for (std::size_t box : Those(squared <= best.limit_of_boxes())) {
             std::size_t place = depth++;
             for (; place > bottom && stack[place - 1].squared < squared[box]; --place)
                 stack[place] = stack[place - 1];
@@ -163,63 +186,33 @@ class BehindBall {
 } // namespace
 
 bool PosedSurface::any_within(const Vec3d& p, double radius, const Vec3d& away) const {
-    const auto nodes = tree_.nodes();
-    if (nodes.empty())
-        return false;
     const double limit = radius * radius;
     const float limit_of_boxes = BoxDistances::at_least(limit);
     const BoxDistances distances(p);
     const BehindBall behind(p, radius, away, tree_.bounds());
-    std::array<std::uint32_t, TriangleTree::kDepth> stack;
-    std::size_t depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-        const TriangleTree::Node& node = nodes[stack[--depth]];
-        const auto squared = distances.squared(node);
-        for (std::size_t box = 0; box < node.boxes; ++box) {
-            if (squared[box] > limit_of_boxes)
-                continue;
-            const std::uint32_t first = node.first[box], end = first + node.count[box];
-            for (std::uint32_t i = first; i < end; ++i) {
-                if (!behind.holds(corners_[i]) &&
-                    closest_on_triangle(p, in_double(corners_[i])).squared <= limit)
-                    return true;
-            }
-            if (first == end)
-                stack[depth++] = first;
-        }
-    }
-    return false;
+    bool any = false;
+    walk([&](const auto& node) { return distances.squared(node) <= limit_of_boxes; },
+         [&](std::uint32_t i, std::size_t) {
+             any = !behind.holds(corners_[i]) &&
+                   closest_on_triangle(p, in_double(corners_[i])).squared <= limit;
+             return !any;
+         });
+    return any;
 }
 
 void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const {
     places.clear();
-    const auto nodes = tree_.nodes();
-    if (nodes.empty())
-        return;
     const double limit = radius * radius;
     const float limit_of_boxes = BoxDistances::at_least(limit);
     const BoxDistances distances(p);
-    std::array<std::uint32_t, TriangleTree::kDepth> stack;
-    std::size_t depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-        const TriangleTree::Node& node = nodes[stack[--depth]];
-        const auto squared = distances.squared(node);
-        for (std::size_t box = 0; box < node.boxes; ++box) {
-            if (squared[box] > limit_of_boxes)
-                continue;
-            const std::uint32_t first = node.first[box], end = first + node.count[box];
-            for (std::uint32_t i = first; i < end; ++i) {
-                const SurfacePlace place{tree_.order()[i],
-                                         closest_on_triangle(p, in_double(corners_[i]))};
-                if (place.closest.squared <= limit)
-                    places.push_back(place);
-            }
-            if (first == end)
-                stack[depth++] = first;
-        }
-    }
+    walk([&](const auto& node) { return distances.squared(node) <= limit_of_boxes; },
+         [&](std::uint32_t i, std::size_t) {
+             const SurfacePlace place{tree_.order()[i],
+                                      closest_on_triangle(p, in_double(corners_[i]))};
+             if (place.closest.squared <= limit)
+                 places.push_back(place);
+             return true;
+         });
     std::sort(places.begin(), places.end(),
               [](const SurfacePlace& a, const SurfacePlace& b) { return a.triangle < b.triangle; });
 }
@@ -229,30 +222,13 @@ void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlac
 /// beyond it may come too.
 template <typename Visit> void PosedSurface::along(const Vec3d& origin, const Vec3d& direction,
                                                    double end, Visit&& visit) const {
-    const auto nodes = tree_.nodes();
-    if (nodes.empty())
-        return;
     const LineCrossing line(origin, direction);
     const BoxCrossings crossings(origin, direction, end);
-    std::array<std::uint32_t, TriangleTree::kDepth> stack;
-    std::size_t depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-        const TriangleTree::Node& node = nodes[stack[--depth]];
-        const auto apart = crossings.apart(node);
-        for (std::size_t box = 0; box < node.boxes; ++box) {
-            if (apart[box] > 0)
-                continue;
-            const std::uint32_t first = node.first[box], last = first + node.count[box];
-            for (std::uint32_t i = first; i < last; ++i) {
-                const LineCrossing::Hit hit = line.cross(in_double(corners_[i]));
-                if (hit.sign != 0 && !visit(tree_.order()[i], hit))
-                    return;
-            }
-            if (first == last)
-                stack[depth++] = first;
-        }
-    }
+    walk([&](const auto& node) { return crossings.apart(node) <= 0; },
+         [&](std::uint32_t i, std::size_t) {
+             const LineCrossing::Hit hit = line.cross(in_double(corners_[i]));
+             return hit.sign == 0 || visit(tree_.order()[i], hit);
+         });
 }
 
 void PosedSurface::crossings(const Vec3d& a, const Vec3d& b, std::vector<Crossing>& found) const {
@@ -282,25 +258,16 @@ bool PosedSurface::crosses(const Vec3d& a, const Vec3d& b) const {
 
 float PosedSurface::roof(const BoxHeights& heights, float floor, float enough) const {
     float roof = floor;
-    const auto nodes = tree_.nodes();
-    if (nodes.empty())
-        return roof;
-    std::array<std::uint32_t, TriangleTree::kDepth> stack;
-    std::size_t depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0 && roof <= enough) {
-        const TriangleTree::Node& node = nodes[stack[--depth]];
-        const auto highest = heights.highest(node);
-        for (std::size_t box = 0; box < node.boxes; ++box) {
-            if (highest[box] <= roof)
-                continue;
-            const std::uint32_t first = node.first[box], last = first + node.count[box];
-            for (std::uint32_t i = first; i < last; ++i)
-                roof = std::max(roof, std::min(highest[box], heights.highest(corners_[i])));
-            if (first == last)
-                stack[depth++] = first;
-        }
-    }
+    Four highest{};
+    walk(
+        [&](const auto& node) {
+            highest = heights.highest(node);
+            return highest > roof;
+        },
+        [&](std::uint32_t i, std::size_t box) {
+            roof = std::max(roof, std::min(highest[box], heights.highest(corners_[i])));
+            return roof <= enough;
+        });
     return roof;
 }
 

@@ -75,6 +75,8 @@ class PosedSurface {
     bool inside(const Vec3d& p) const { return winding(p) > 0; }
 
   private:
+    template <typename LookInto, typename Visit>
+    void walk(LookInto&& look_into, Visit&& visit) const;
     template <typename Visit>
     void along(const Vec3d& origin, const Vec3d& direction, double end, Visit&& visit) const;
     bool outside_bounds(const Vec3d& p) const;
