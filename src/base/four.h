@@ -2,6 +2,9 @@
 
 #include "mane/vec.h"
 
+#include <bit>
+#include <cstddef>
+
 namespace mane {
 
 /// Four numbers that are reckoned with together, in one vector register: for the few places that
@@ -31,5 +34,44 @@ inline float dot(const Four& a, const Four& b) {
     const Four m = a * b;
     return m[0] + m[1] + m[2];
 }
+
+/// Whether something holds for each of four numbers: what a comparison of two Four gives.
+using FourBits [[gnu::vector_size(16)]] = int;
+
+/// The numbers for which it holds, by rising place: for (std::size_t i : Those(a < b)).
+class Those {
+  public:
+    explicit Those(const FourBits& bits) : set_(mask(bits)) {}
+
+    class Iterator {
+      public:
+        explicit Iterator(unsigned set) : set_(set) {}
+        std::size_t operator*() const { return static_cast<std::size_t>(std::countr_zero(set_)); }
+        Iterator& operator++() {
+            set_ &= set_ - 1;
+            return *this;
+        }
+        bool operator==(const Iterator&) const = default;
+
+      private:
+        unsigned set_;
+    };
+    Iterator begin() const { return Iterator(set_); }
+    Iterator end() const { return Iterator(0); }
+
+  private:
+    static unsigned mask(const FourBits& bits) {
+#if defined(__SSE__)
+        return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<const Four&>(bits)));
+#else
+        unsigned set = 0;
+        for (unsigned i = 0; i < 4; ++i)
+            set |= bits[i] != 0 ? 1u << i : 0u;
+        return set;
+#endif
+    }
+
+    unsigned set_;
+};
 
 } // namespace mane

@@ -6,8 +6,6 @@
 namespace mane {
 namespace {
 
-/// Several times the rounding of single precision.
-constexpr float kRounding = 1e-6f;
 /// [m] over the rounding of double precision, near the origin too.
 constexpr float kLeast = 1e-9f;
 
@@ -17,19 +15,43 @@ float size_of(const Vec3d& p) {
 
 } // namespace
 
-BoxDistances::BoxDistances(const Vec3d& p)
-    : p_{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-      slack_(kRounding * size_of(p) + kLeast) {}
-
-Four BoxDistances::squared(const TriangleTree::Node& node) const {
-    Four sum{};
+BoxDistances::BoxDistances(const Vec3d& p) {
+    const float slack = kBoxRounding * size_of(p) + kLeast;
+    const std::array<float, 3> at{static_cast<float>(p.x), static_cast<float>(p.y),
+                                  static_cast<float>(p.z)};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Four below = node.low[axis] - (p_[axis] + slack_);
-        const Four above = (p_[axis] - slack_) - node.high[axis];
-        const Four gap = larger(larger(below, above), Four{});
-        sum += gap * gap;
+        above_[axis] = Four{} + (at[axis] + slack);
+        below_[axis] = Four{} + (at[axis] - slack);
     }
-    return sum * (1 - kRounding);
+}
+
+// What is compared is within the box: it rounds by less than a millionth of its farthest corner's
+// size along the way.
+BoxHeights::BoxHeights(const Vec3& way, const TriangleTree::Box& box)
+    : way_{way.x, way.y, way.z}, low_{box.low.x, box.low.y, box.low.z}, high_{box.high.x,
+                                                                              box.high.y,
+                                                                              box.high.z} {
+    float size = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        size += std::abs(way_[axis]) * std::max(std::abs(low_[axis]), std::abs(high_[axis]));
+    slack_ = kBoxRounding * size;
+}
+
+Four BoxHeights::highest(const TriangleTree::Node& node) const {
+    Four gap{}, height = Four{} + slack_;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        gap = larger(gap, larger(node.low[axis] - high_[axis], low_[axis] - node.high[axis]));
+        height += way_[axis] > 0 ? way_[axis] * smaller(node.high[axis], Four{} + high_[axis])
+                                 : way_[axis] * larger(node.low[axis], Four{} + low_[axis]);
+    }
+    return gap > 0 ? Four{} + kLowest : height;
+}
+
+float BoxHeights::highest(const std::array<Vec3, 3>& corners) const {
+    const Vec3d way{double(way_[0]), double(way_[1]), double(way_[2])};
+    const double height = std::max(
+        {dot(way, Vec3d(corners[0])), dot(way, Vec3d(corners[1])), dot(way, Vec3d(corners[2]))});
+    return static_cast<float>(height + std::abs(height) * double(kBoxRounding));
 }
 
 // Rounding moves what is compared by less than a millionth of the origin's and of the part's size.
@@ -46,7 +68,7 @@ BoxCrossings::BoxCrossings(const Vec3d& origin, const Vec3d& direction, double e
     for (std::size_t i = 0; i < 2; ++i)
         shear_[i] = static_cast<float>(way[axis_[i]] / way[largest]);
     const auto tip = static_cast<float>(way[largest] * end);
-    slack_ = kRounding * (size_of(origin) + std::abs(tip)) + kLeast;
+    slack_ = kBoxRounding * (size_of(origin) + std::abs(tip)) + kLeast;
     first_ = std::min(0.0f, tip);
     last_ = std::max(0.0f, tip);
 }

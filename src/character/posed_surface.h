@@ -13,6 +13,8 @@
 
 namespace mane {
 
+class BoxHeights;
+
 /// A place on a surface: a point of one of its triangles.
 struct SurfacePlace {
     std::uint32_t triangle = 0;
@@ -60,12 +62,18 @@ class PosedSurface {
     /// Whether the segment from `a` to `b` goes through any triangle.
     bool crosses(const Vec3d& a, const Vec3d& b) const;
 
+    /// A height that nothing of the surface within a box is over, not under `floor`. It is a bound,
+    /// cheap and not tight; where it is over `enough` it stops short and is none.
+    float roof(const BoxHeights& heights, float floor, float enough) const;
+
     /// How many times the surface winds round `p`: a whole number, since the mesh is closed.
     int winding(const Vec3d& p) const;
     /// Whether `p` is inside the union of the surface's parts: winding number ≥ ½ (M33).
     bool inside(const Vec3d& p) const { return winding(p) > 0; }
 
   private:
+    template <typename LookInto, typename Visit>
+    void walk(LookInto&& look_into, Visit&& visit) const;
     template <typename Visit>
     void along(const Vec3d& origin, const Vec3d& direction, double end, Visit&& visit) const;
     bool outside_bounds(const Vec3d& p) const;

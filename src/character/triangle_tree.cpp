@@ -15,10 +15,6 @@ Vec3 upper(const Vec3& a, const Vec3& b) {
     return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
-TriangleTree::Box both(const TriangleTree::Box& a, const TriangleTree::Box& b) {
-    return {lower(a.low, b.low), upper(a.high, b.high)};
-}
-
 TriangleTree::Box box_of(std::span<const std::array<Vec3, 3>> triangles) {
     TriangleTree::Box box{triangles[0][0], triangles[0][0]};
     for (const auto& corners : triangles) {
@@ -45,6 +41,10 @@ void put(const TriangleTree::Box& box, std::size_t i, TriangleTree::Node& node) 
 }
 
 } // namespace
+
+TriangleTree::Box both(const TriangleTree::Box& a, const TriangleTree::Box& b) {
+    return {lower(a.low, b.low), upper(a.high, b.high)};
+}
 
 TriangleTree::TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Vec3> vertices)

@@ -21,8 +21,10 @@ class TriangleTree {
     struct Box {
         Vec3 low, high;
     };
+    static constexpr Four kNowhere{1e30f, 1e30f, 1e30f, 1e30f};
     struct Node {
-        Four low[3]{}, high[3]{};
+        /// What is not in use is where nothing is.
+        Four low[3]{kNowhere, kNowhere, kNowhere}, high[3]{-kNowhere, -kNowhere, -kNowhere};
         /// What is in each box: a node, or triangles from this place of `order` on.
         std::array<std::uint32_t, kBoxes> first{};
         std::array<std::uint32_t, kBoxes> count{}; ///< of triangles, 0 for a node
@@ -54,5 +56,8 @@ class TriangleTree {
     std::vector<std::uint32_t> order_;
     Box bounds_;
 };
+
+/// The box that holds two.
+TriangleTree::Box both(const TriangleTree::Box& a, const TriangleTree::Box& b);
 
 } // namespace mane

@@ -1,5 +1,9 @@
 #include "interactions/character_bearings.h"
 
+#include "character/box_tests.h"
+
+#include <algorithm>
+
 namespace mane {
 namespace {
 
@@ -55,11 +59,59 @@ bool CharacterBearings::axis_free(std::uint32_t i, std::uint32_t b) {
     Answer& known = known_[at(i, b)].axis_free;
     if (known == Answer::unknown) {
         const Vec3& before = wisp_.x[i - 1];
-        const bool is =
-            clear_way(i, b, before, clear(i - 1, b)) || escape_.free(b, before, wisp_.x[i]);
+        const bool is = segment_free(i, b) || clear_way(i, b, before, clear(i - 1, b)) ||
+                        escape_.free(b, before, wisp_.x[i]);
         known = is ? Answer::yes : Answer::no;
     }
     return known == Answer::yes;
+}
+
+bool CharacterBearings::segment_free(std::uint32_t i, std::uint32_t b) {
+    Answer& known = known_[at(i, b)].segment_free;
+    if (known == Answer::unknown)
+        known = find_segment_free(i, b) ? Answer::yes : Answer::no;
+    return known == Answer::yes;
+}
+
+bool CharacterBearings::find_segment_free(std::uint32_t i, std::uint32_t b) {
+    const CarriedPoint& carried = carried_[at(i, b)];
+    points_ = {wisp_.x[i - 1], wisp_.x[i]};
+    if (carried.near)
+        points_.push_back(carried.position);
+    if (WispCopy::simulated(i - 1))
+        points_.push_back(wisp_.halfway(i, {}));
+    for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
+        for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, wisp_.half_arc(i, line)}) {
+            points_.push_back(wisp_.position(point));
+            if (WispCopy::simulated(i - 1))
+                points_.push_back(wisp_.halfway(i, point));
+        }
+    }
+    const Vec3 way = way_out(i, b);
+    TriangleTree::Box box{points_[0], points_[0]};
+    float lowest = dot(way, points_[0]);
+    for (const Vec3& p : points_) {
+        box = both(box, {p, p});
+        lowest = std::min(lowest, dot(way, p));
+    }
+    const BoxHeights heights(way, box);
+    lowest -= heights.slack() + kOver; // also where the way is zero, all heights alike
+    return bodies_[b].surface->end().roof(heights, lowest, lowest) <= lowest;
+}
+
+/// From the polygon that was nearest at the block's start, to this section or to one before it:
+/// roots are near the skin. Where there was none, any way will do for points that are far off.
+Vec3 CharacterBearings::way_out(std::uint32_t i, std::uint32_t b) const {
+    std::uint32_t near = i;
+    while (near > 1 && carried_[at(near, b)].triangle == PosedSurface::kNoGuess)
+        --near;
+    const std::uint32_t triangle = carried_[at(near, b)].triangle;
+    if (triangle == PosedSurface::kNoGuess)
+        return {};
+    const Vec3d x(wisp_.x[i]);
+    const ClosestPoint closest =
+        closest_on_triangle(x, bodies_[b].surface->end().triangle(triangle));
+    return Vec3(normalized(x - closest.point));
 }
 
 void CharacterBearings::forget(std::uint32_t i) {
@@ -67,6 +119,16 @@ void CharacterBearings::forget(std::uint32_t i) {
         known_[at(i, b)] = {};
         if (i + 1 < wisp_.sections())
             known_[at(i + 1, b)].axis_free = Answer::unknown;
+    }
+    forget_envelope(i);
+}
+
+// The drawn surface halfway along a segment hangs on the sections before and after its ends too.
+void CharacterBearings::forget_envelope(std::uint32_t i) {
+    const std::uint32_t end = std::min(i + 3, wisp_.sections());
+    for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+        for (std::uint32_t segment = i - 1; segment < end; ++segment)
+            known_[at(segment, b)].segment_free = Answer::unknown;
     }
 }
 

@@ -41,8 +41,15 @@ class CharacterBearings {
     /// Whether the axis from section i − 1 to i meets no surface of body `b`.
     bool axis_free(std::uint32_t i, std::uint32_t b);
 
+    /// Whether nothing of body `b` comes between what hangs on section i and on the segment that
+    /// ends there: the axis, the section's envelope, the drawn surface halfway along the segment,
+    /// and the way from where the section was carried. A bound that may fail to tell.
+    bool segment_free(std::uint32_t i, std::uint32_t b);
+
     /// Section i has moved.
     void forget(std::uint32_t i);
+    /// The envelope of section i has.
+    void forget_envelope(std::uint32_t i);
 
   private:
     enum class Answer : std::uint8_t { unknown, no, yes };
@@ -50,7 +57,10 @@ class CharacterBearings {
         double clear = -1; ///< negative: unknown
         Answer inside = Answer::unknown;
         Answer axis_free = Answer::unknown; ///< of the axis that ends here
+        Answer segment_free = Answer::unknown;
     };
+    bool find_segment_free(std::uint32_t i, std::uint32_t b);
+    Vec3 way_out(std::uint32_t i, std::uint32_t b) const;
     std::size_t at(std::uint32_t i, std::uint32_t b) const { return b * wisp_.sections() + i; }
 
     const WispCopy& wisp_;
@@ -58,6 +68,7 @@ class CharacterBearings {
     std::span<const CarriedPoint> carried_;
     const Escape& escape_;
     std::vector<Known> known_; // bodies × sections
+    std::vector<Vec3> points_; // of a segment
 };
 
 } // namespace mane

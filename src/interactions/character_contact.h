@@ -3,6 +3,7 @@
 #include "base/parallel_for.h"
 #include "character/surface.h"
 #include "interactions/character_point.h"
+#include "interactions/character_response.h"
 #include "mane/desc.h"
 #include "model/ablation.h"
 
@@ -18,19 +19,6 @@ struct ContactBody {
     /// Wisps may start inside it (a hat). It leaves alone the part of such a wisp from the root to
     /// its first point outside.
     bool worn = false;
-};
-
-/// A sliding contact (§4.2, M30, M36): a plane that moves with its polygon over the block, linearly
-/// from start to end.
-struct SlidingContact {
-    WispPoint point;
-    std::uint32_t body = 0;
-    std::uint32_t triangle = 0;
-    Vec3 anchor;         ///< [m] a point of the polygon, at the block's start
-    Vec3 anchor_change;  ///< [m] over the block
-    Vec3 normal;         ///< unit, away from the body, at the block's start
-    Vec3 normal_change;  ///< over the block
-    float threshold = 0; ///< [m] distance under which it answers
 };
 
 /// A skeleton point at a block's start, and where it would be at the end if it had been fixed to
@@ -74,6 +62,7 @@ class CharacterContacts {
     std::vector<std::vector<SlidingContact>> contacts_; // per wisp
     std::vector<std::vector<CarriedPoint>> carried_;    // per wisp: bodies × sections
     double duration_ = 0;
+    mutable std::vector<SlidingResponse> responses_; // scratch, per chunk of wisps
 };
 
 /// Throws InputError naming the wisp when its x₁ is inside a body that is not worn, in the bodies'

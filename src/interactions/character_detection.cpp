@@ -1,8 +1,10 @@
+#include "character/box_tests.h"
 #include "interactions/character_contact.h"
 #include "interactions/character_planes.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace mane {
@@ -11,6 +13,7 @@ namespace {
 constexpr std::size_t kWispsPerChunk = 16;
 /// A support point this near to an envelope point is that point.
 constexpr float kAtEnvelopePoint = 0.98f;
+constexpr float kOver = 1e-5f; // [m] over the rounding of positions
 
 /// Detection for one wisp and one body, from root to tip.
 class Detector {
@@ -34,6 +37,7 @@ class Detector {
             if (!under && block > 0) {
                 touch_segment(i - 1, before, here);
                 touch_section(i, here);
+                find_planes(here.place ? here : before);
             }
             before = here;
         }
@@ -42,9 +46,10 @@ class Detector {
   private:
     /// What is known of the surface around a section: nothing of it is nearer than `clear`.
     struct Reach {
+        Vec3d from;
         std::optional<SurfacePlace> place;
-        Vec3d way;      // unit, toward it
-        Vec3d velocity; // of the nearest place
+        Vec3d way;      // unit, toward the surface
+        Vec3d velocity; // of the place
         double clear = 0;
     };
 
@@ -61,13 +66,11 @@ class Detector {
         const double speed =
             length(Vec3d(wisp_.v[i])) + rate + surface_.fastest() + kAcceleration * block;
         Reach reach;
+        reach.from = Vec3d(wisp_.x[i]);
         reach.clear = double(desc_.threshold) + double(wisp_.largest_radius(i)) + speed * block;
-        reach.place =
-            surface_.start().nearest(Vec3d(wisp_.x[i]), reach.clear, {}, carried.triangle);
-        if (reach.place) {
-            reach.clear = std::sqrt(reach.place->closest.squared);
-            reach.way = way_to_surface(Vec3d(wisp_.x[i]), reach.clear);
+        if (look_near(carried.triangle, reach)) {
             carried.triangle = reach.place->triangle;
+            reach.way = way_to_surface(reach);
             if (block > 0)
                 reach.velocity = velocity_at(surface_, *reach.place);
         }
@@ -76,20 +79,42 @@ class Detector {
         return reach;
     }
 
-    // The way to the surface, unit: to all places that are nearly as near as the nearest, each with
-    // a weight that falls to 0 where it is farther by this. In a hollow the one nearest place jumps
-    // from side to side, and the wisp's support with it; a wisp at rest would shake.
-    Vec3d way_to_surface(const Vec3d& x, double clear) {
-        constexpr double kAsNear = 1e-3; // [m]
-        surface_.start().within(x, clear + kAsNear, around_);
+    // Finds the nearest place, if it is no farther than `clear` tells, and leaves in around_ all
+    // that are nearly as near. The triangle that was nearest a block ago says how far to look for
+    // both at once; where it is no longer near, the nearest is looked for first.
+    bool look_near(std::uint32_t before, Reach& reach) {
+        double distance = std::numeric_limits<double>::infinity();
+        if (before != PosedSurface::kNoGuess)
+            distance = std::sqrt(
+                closest_on_triangle(reach.from, surface_.start().triangle(before)).squared);
+        if (distance > reach.clear) {
+            reach.place = surface_.start().nearest(reach.from, reach.clear, {}, before);
+            if (!reach.place)
+                return false;
+            distance = std::sqrt(reach.place->closest.squared);
+        }
+        surface_.start().within(reach.from, distance + kAsNear, around_);
+        reach.place = *std::min_element(around_.begin(), around_.end(), [](auto& a, auto& b) {
+            return a.closest.squared < b.closest.squared;
+        });
+        reach.clear = std::sqrt(reach.place->closest.squared);
+        return true;
+    }
+
+    // To all places that are nearly as near as the nearest, each with a weight that falls to 0
+    // where it is farther by kAsNear. In a hollow the one nearest place jumps from side to side,
+    // and the wisp's support with it; a wisp at rest would shake.
+    Vec3d way_to_surface(const Reach& reach) const {
         Vec3d sum;
         for (const SurfacePlace& place : around_) {
-            const double distance = std::sqrt(place.closest.squared);
-            if (distance > 0)
-                sum += (place.closest.point - x) * ((1 - (distance - clear) / kAsNear) / distance);
+            const double distance = std::sqrt(place.closest.squared),
+                         farther = distance - reach.clear;
+            if (distance > 0 && farther < kAsNear)
+                sum += (place.closest.point - reach.from) * ((1 - farther / kAsNear) / distance);
         }
         return length(sum) > 0 ? normalized(sum) : sum;
     }
+    static constexpr double kAsNear = 1e-3; // [m]
 
     void touch_section(std::uint32_t i, const Reach& reach) {
         if (!reach.place)
@@ -105,16 +130,16 @@ class Detector {
     // segment less than to the clearer of its ends.
     void touch_segment(std::uint32_t i, const Reach& a, const Reach& b) {
         const double half = length(Vec3d(wisp_.x[i + 1]) - Vec3d(wisp_.x[i])) / 2;
-        const Reach& nearer = !b.place || (a.place && a.clear < b.clear) ? a : b;
-        if (!nearer.place)
+        const Reach& near = !b.place || (a.place && a.clear < b.clear) ? a : b;
+        if (!near.place)
             return;
         const double clear = std::max(a.clear, b.clear) - half;
-        touch({i, 0.5f, 0, 0, 0}, clear, nearer.velocity);
-        // The arc reaches out toward both ends' nearest places: toward the nearer one alone it
-        // would jump, and jolt the wisp, where they are equally near.
+        touch({i, 0.5f, 0, 0, 0}, clear, near.velocity);
+        // The arc reaches out toward both ends' ways: toward the nearer one's alone it would jump
+        // where they are equally near.
         const WispPoint support = support_point(wisp_, i, 0.5f, Vec3(a.way + b.way));
         const float radius = std::max(wisp_.largest_radius(i), wisp_.largest_radius(i + 1));
-        touch_support(support, clear - double(radius), nearer);
+        touch_support(support, clear - double(radius), near);
     }
 
     void touch_support(const WispPoint& point, double clear, const Reach& reach) {
@@ -124,19 +149,56 @@ class Detector {
             touch(point, clear, reach.velocity);
     }
 
-    /// Looks for the planes of one point, nothing being nearer to it than `clear`.
+    /// Takes note of a point for which planes are to be looked for. Nothing is nearer to it than
+    /// `clear`.
     void touch(const WispPoint& point, double clear, const Vec3d& surface_velocity) {
         Approach approach;
         approach.velocity = Vec3d(wisp_.velocity(point));
         approach.speed = length(approach.velocity - surface_velocity);
         approach.threshold = double(desc_.threshold);
         approach.push_out = double(desc_.push_out);
-        const double block = surface_.duration();
-        if (clear > approach.threshold + (approach.speed + kAcceleration * block) * block)
+        if (clear > approach.reach(surface_.duration()))
             return;
         approach.position = Vec3d(wisp_.position(point));
-        for (const NearPlane& plane : planes_.find(surface_, approach))
-            add(point, plane);
+        touches_.push_back({point, approach});
+    }
+
+    /// Looks for the planes of the points that were noted. Many are on the wisp's far side from the
+    /// surface, higher than all of it around. `near`: which says where that is.
+    void find_planes(const Reach& near) {
+        if (touches_.empty())
+            return;
+        const Vec3 way = Vec3(normalized(near.from - near.place->closest.point));
+        const float roof = roof_under_touches(way, near);
+        for (const auto& [point, approach] : touches_) {
+            if (height(way, approach) > roof)
+                continue;
+            for (const NearPlane& plane : planes_.find(surface_, approach))
+                add(point, plane);
+        }
+        touches_.clear();
+    }
+
+    /// How far along `way` the lowest place is that a point could reach.
+    float height(const Vec3& way, const Approach& approach) const {
+        return dot(way, Vec3(approach.position)) - reach_of(approach);
+    }
+    float reach_of(const Approach& approach) const {
+        return static_cast<float>(approach.reach(surface_.duration())) + kOver;
+    }
+
+    float roof_under_touches(const Vec3& way, const Reach& near) const {
+        TriangleTree::Box box{Vec3(near.from), Vec3(near.from)};
+        float highest = BoxHeights::kLowest;
+        for (const auto& [point, approach] : touches_) {
+            const float reach = reach_of(approach);
+            const Vec3 corner(reach, reach, reach), p(approach.position);
+            box = both(box, {p - corner, p + corner});
+            highest = std::max(highest, height(way, approach));
+        }
+        const float floor = dot(way, Vec3(near.place->closest.point));
+        const BoxHeights heights(way, box);
+        return surface_.start().roof(heights, floor, highest) + heights.slack();
     }
 
     void add(const WispPoint& point, const NearPlane& plane) {
@@ -162,6 +224,11 @@ class Detector {
     std::vector<SlidingContact>& contacts_;
     PlaneFinder planes_;
     std::vector<SurfacePlace> around_;
+    struct Touch {
+        WispPoint point;
+        Approach approach;
+    };
+    std::vector<Touch> touches_;
 };
 
 } // namespace

@@ -66,10 +66,10 @@ Vec3d velocity_at(const Surface& surface, const SurfacePlace& place) {
 
 const std::vector<NearPlane>& PlaneFinder::find(const Surface& surface, const Approach& approach) {
     const double block = surface.duration();
-    const double slide = (approach.speed + kAcceleration * block) * block;
+    const double slide = approach.slide(block);
     found_.clear();
     planes_.clear();
-    surface.start().within(approach.position, approach.threshold + slide, around_);
+    surface.start().within(approach.position, approach.reach(block), around_);
     for (const SurfacePlace& place : around_) {
         if (!locally_nearest(surface, place))
             continue;

@@ -15,6 +15,11 @@ struct NearPlane {
     double threshold = 0; ///< [m]
 };
 
+/// Speed that a point may gain in a block on top of what it has [m/s²]: the hardest head of the
+/// captured clips, 57 m/s². In a block of 1/120 s it widens the search by 4 mm. What comes faster
+/// still is the penetration reaction's.
+inline constexpr double kAcceleration = 57;
+
 /// A point and how it could move within the block.
 struct Approach {
     Vec3d position;       ///< [m]
@@ -22,12 +27,12 @@ struct Approach {
     double speed = 0;     ///< [m/s] bound on its speed relative to the polygons around
     double threshold = 0; ///< [m] of sliding contact
     double push_out = 0;  ///< [m]
-};
 
-/// Speed that a point may gain in a block on top of what it has [m/s²]: the hardest head of the
-/// captured clips, 57 m/s². In a block of 1/120 s it widens the search by 4 mm. What comes faster
-/// still is the penetration reaction's.
-inline constexpr double kAcceleration = 57;
+    /// [m] the farthest that it slides relative to the polygons around in a block of that length
+    double slide(double block) const { return (speed + kAcceleration * block) * block; }
+    /// [m] nothing farther off can become a plane in such a block
+    double reach(double block) const { return threshold + slide(block); }
+};
 
 /// Velocity of a place of the surface over the block [m/s].
 Vec3d velocity_at(const Surface& surface, const SurfacePlace& place);

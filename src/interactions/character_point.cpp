@@ -24,11 +24,12 @@ Slot WispCopy::slot(const HairView& hair, std::uint32_t section) const {
 }
 
 void WispCopy::load(const HairView& hair, std::uint32_t number) {
-    load(hair, number, 0, static_cast<std::uint32_t>(hair.groom.sections(number)));
+    load_motion(hair, number, 0, static_cast<std::uint32_t>(hair.groom.sections(number)));
+    load_masses(hair);
 }
 
-void WispCopy::load(const HairView& hair, std::uint32_t number, std::uint32_t first,
-                    std::uint32_t end) {
+void WispCopy::load_motion(const HairView& hair, std::uint32_t number, std::uint32_t first,
+                           std::uint32_t end) {
     number_ = number;
     first_ = first;
     end_ = end;
@@ -36,7 +37,6 @@ void WispCopy::load(const HairView& hair, std::uint32_t number, std::uint32_t fi
     const std::size_t n = hair.groom.sections(number);
     x.resize(n);
     v.resize(n);
-    mass_.resize(n);
     directions.resize(n * k());
     radius.resize(n * k());
     radius_rate.resize(n * k());
@@ -44,13 +44,18 @@ void WispCopy::load(const HairView& hair, std::uint32_t number, std::uint32_t fi
         const Slot here = slot(hair, i);
         x[i] = hair.state.position.vec(here);
         v[i] = hair.state.velocity.vec(here);
-        mass_[i] = SectionMass::of(hair, hair.groom.first_section[number] + i);
         for (std::uint32_t line = 0; line < k(); ++line) {
             directions[i * k() + line] = half_line_direction(hair, here, line);
             r(i, line) = hair.state.radius.at(here, line);
             rate(i, line) = hair.state.radius_rate.at(here, line);
         }
     }
+}
+
+void WispCopy::load_masses(const HairView& hair) {
+    mass_.resize(x.size());
+    for (std::uint32_t i = first_; i < end_; ++i)
+        mass_[i] = SectionMass::of(hair, hair.groom.first_section[number_] + i);
 }
 
 void WispCopy::store_velocities(const HairView& hair, State& state) const {
@@ -98,6 +103,22 @@ Vec3 WispCopy::velocity(const WispPoint& p) const {
         return v[p.section] + offset_rate(p.section, p);
     return (v[p.section] + offset_rate(p.section, p)) * (1 - p.along) +
            (v[p.section + 1] + offset_rate(p.section + 1, p)) * p.along;
+}
+
+// α = β on α² + β² + 2αβC = 1.
+WispPoint WispCopy::half_arc(std::uint32_t section, std::uint32_t line) const {
+    const float c = dot(d(section, line), d(section, next(line)));
+    const float share = 1 / std::sqrt(2 + 2 * c);
+    return {section, 0, line, share, share};
+}
+
+Vec3 WispCopy::halfway(std::uint32_t i, const WispPoint& place) const {
+    const auto at = [&](std::uint32_t section) {
+        WispPoint p = place;
+        p.section = std::min(section, sections() - 1);
+        return position(p);
+    };
+    return (at(i - 1) + at(i)) * (9.0f / 16) - (at(i - 2) + at(i + 1)) * (1.0f / 16);
 }
 
 float WispCopy::inverse_mass(const WispPoint& p, const Vec3& e) const {

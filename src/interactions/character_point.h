@@ -32,8 +32,12 @@ class WispCopy {
   public:
     /// Reads wisp `number` of `hair`: positions, frames, radii, velocities, masses.
     void load(const HairView& hair, std::uint32_t number);
-    /// The same of its sections from `first` to before `end` only; the others hold nothing.
-    void load(const HairView& hair, std::uint32_t number, std::uint32_t first, std::uint32_t end);
+    /// The same of its sections from `first` to before `end` only, without the masses; the others
+    /// hold nothing.
+    void load_motion(const HairView& hair, std::uint32_t number, std::uint32_t first,
+                     std::uint32_t end);
+    /// The masses of the sections that were read.
+    void load_masses(const HairView& hair);
     /// Writes the velocities and rates of the simulated sections that were read back.
     void store_velocities(const HairView& hair, State& state) const;
     /// Writes a section's position and radii back.
@@ -62,6 +66,13 @@ class WispCopy {
 
     Vec3 position(const WispPoint& p) const;
     Vec3 velocity(const WispPoint& p) const;
+
+    /// The middle of the drawn arc from half line `line` of a section to the next.
+    WispPoint half_arc(std::uint32_t section, std::uint32_t line) const;
+    /// The point of a strand's curve halfway from section i − 1 (not the first) to i: Catmull-Rom
+    /// through its places in four sections. `place` says where in a section; its section does not
+    /// count.
+    Vec3 halfway(std::uint32_t i, const WispPoint& place) const;
 
     /// Inverse mass that an impulse along the unit direction `e` meets at a point [1/kg]: e·W e of
     /// docs/interactions.md.

@@ -86,7 +86,7 @@ class Reactor {
         const CarriedPoint& carried = carried_[b * wisp_.sections() + i];
         // Its way over the block, as the body sees it: from where the nearest polygon would have
         // carried it to where it is.
-        const bool has_path = with_path && carried.near &&
+        const bool has_path = with_path && carried.near && !bearings_.segment_free(i, b) &&
                               !bearings_.clear_way(i, b, carried.position, 0) &&
                               !escape_.inside(carried.position, b);
         const std::optional<Escape::Entry> entry =
@@ -213,7 +213,7 @@ class Reactor {
     /// The envelope points of a section, then the drawn surface halfway between them, come back to
     /// the surface: each along the line from the skeleton point, which is outside.
     void shrink_section(std::uint32_t i, std::uint32_t b) {
-        if (exempt(i, b))
+        if (exempt(i, b) || bearings_.segment_free(i, b))
             return;
         const Vec3 centre = wisp_.x[i];
         const double clear = bearings_.clear(i, b);
@@ -226,7 +226,7 @@ class Reactor {
                 scale(i, line, share);
         }
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
-            const Vec3 end = wisp_.position(half_arc(i, line));
+            const Vec3 end = wisp_.position(wisp_.half_arc(i, line));
             const float share = share_outside(b, centre, end, clear);
             if (share < 1)
                 scale_sector(i, line, share);
@@ -237,9 +237,9 @@ class Reactor {
     /// curves (Catmull-Rom) run outside the chords. Not on the first segment: its first section
     /// rides the skin with radii of its own, and the second one cannot make up for them.
     void shrink_between(std::uint32_t i, std::uint32_t b) {
-        if (!WispCopy::simulated(i - 1) || exempt(i - 1, b))
+        if (!WispCopy::simulated(i - 1) || exempt(i - 1, b) || bearings_.segment_free(i, b))
             return;
-        const Vec3 centre = halfway(i, {});
+        const Vec3 centre = wisp_.halfway(i, {});
         const float farthest = farthest_halfway(i) + CharacterBearings::kOver;
         const double clear = bearings_.clear(i, b, centre, farthest);
         if (clear >= double(farthest))
@@ -248,8 +248,8 @@ class Reactor {
         if (clear < double(reach) && bearings_.inside(i, b, centre, clear))
             return;
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
-            for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, half_arc(i, line)}) {
-                const float share = share_outside(b, centre, halfway(i, point), clear);
+            for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, wisp_.half_arc(i, line)}) {
+                const float share = share_outside(b, centre, wisp_.halfway(i, point), clear);
                 if (share >= 1)
                     continue;
                 for (std::uint32_t section : {i - 1, i}) {
@@ -275,30 +275,13 @@ class Reactor {
 
     void scale(std::uint32_t i, std::uint32_t line, float share) {
         wisp_.r(i, line) *= share;
+        bearings_.forget_envelope(i);
         moved_[i] = true;
         ++reactions_;
     }
     void scale_sector(std::uint32_t i, std::uint32_t line, float share) {
         scale(i, line, share);
         scale(i, wisp_.next(line), share);
-    }
-
-    /// The middle of the drawn arc from half line `line` to the next: α = β on α² + β² + 2αβC = 1.
-    WispPoint half_arc(std::uint32_t i, std::uint32_t line) const {
-        const float c = dot(wisp_.d(i, line), wisp_.d(i, wisp_.next(line)));
-        const float share = 1 / std::sqrt(2 + 2 * c);
-        return {i, 0, line, share, share};
-    }
-
-    /// The point of a strand's curve halfway from section i − 1 to i: Catmull-Rom through its
-    /// places in four sections.
-    Vec3 halfway(std::uint32_t i, const WispPoint& place) const {
-        const auto at = [&](std::uint32_t section) {
-            WispPoint p = place;
-            p.section = std::min(section, wisp_.sections() - 1);
-            return wisp_.position(p);
-        };
-        return (at(i - 1) + at(i)) * (9.0f / 16) - (at(i - 2) + at(i + 1)) * (1.0f / 16);
     }
 
     /// No point of a strand's curve there is farther from the axis.

@@ -1,6 +1,7 @@
 #include "base/random.h"
 #include "bodies/brute_surface.h"
 #include "bodies/meshes.h"
+#include "character/box_tests.h"
 #include "character/surface.h"
 
 #include <doctest/doctest.h>
@@ -138,6 +139,63 @@ TEST_CASE("queries agree with brute force on small meshes") {
 TEST_CASE("queries agree with brute force on real heads, open and non-manifold") {
     for (const Case& c : real_meshes())
         check_queries(c, 40);
+}
+
+namespace {
+
+bool holds(const TriangleTree::Box& box, const Vec3d& p) {
+    return p.x >= double(box.low.x) && p.x <= double(box.high.x) && p.y >= double(box.low.y) &&
+           p.y <= double(box.high.y) && p.z >= double(box.low.z) && p.z <= double(box.high.z);
+}
+
+/// The highest of many points of the surface within a box, along `way`.
+double highest_of(const Twin& twin, const TriangleTree::Box& box, const Vec3d& way) {
+    double highest = -1e30;
+    for (const auto& t : twin.closed.triangles) {
+        const Vec3d a(twin.vertices[t[0]]), b(twin.vertices[t[1]]), c(twin.vertices[t[2]]);
+        for (int i = 0; i <= 4; ++i) {
+            for (int j = 0; i + j <= 4; ++j) {
+                const Vec3d p = a + (b - a) * (i / 4.0) + (c - a) * (j / 4.0);
+                if (holds(box, p))
+                    highest = std::max(highest, dot(p, way));
+            }
+        }
+    }
+    return highest;
+}
+
+} // namespace
+
+TEST_CASE("nothing of a surface is over its roof in a box") {
+    const Random random(9, 1);
+    int near = 0, under = 0;
+    for (const Case& c : small_meshes()) {
+        CAPTURE(c.name);
+        const Surface surface(c.mesh);
+        const Twin twin(c.mesh);
+        std::uint64_t n = 0;
+        for (const Vec3d& p : points_about(c.mesh, 60, 0.3)) {
+            ++n;
+            const Vec3 middle(p);
+            const Vec3 half(random.between(4 * n, 0, 0.06f), random.between(4 * n + 1, 0, 0.06f),
+                            random.between(4 * n + 2, 0, 0.06f));
+            const TriangleTree::Box box{middle - half, middle + half};
+            const Vec3 way = n % 7 == 0 ? Vec3{} : Vec3(normalized(random_point(random, n, 1)));
+            const double highest = highest_of(twin, box, Vec3d(way));
+            const BoxHeights heights(way, box);
+            const float roof = surface.start().roof(heights, -1, 1);
+            CHECK(highest <= double(roof));
+            CHECK(surface.start().roof(heights, roof, roof) == roof);
+            // what is asked for short of the roof is told to be over it
+            if (highest > -1)
+                CHECK(double(surface.start().roof(heights, -1, float(highest) - 1e-3f)) >
+                      highest - 1e-3);
+            near += highest > -1 && double(roof) < highest + 0.01;
+            under += highest == -1e30 && roof == -1;
+        }
+    }
+    CHECK(near > 30); // it is a bound that says something
+    CHECK(under > 30);
 }
 
 TEST_CASE("every border is closed: winding numbers are whole everywhere") {

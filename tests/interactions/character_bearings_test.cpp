@@ -59,6 +59,23 @@ CarriedPoint known_at_start(const Surface& surface, const Vec3& p, double radius
     return carried;
 }
 
+/// Whether the axis of a segment, what hangs on it and the way of its end cross nothing, each asked
+/// for.
+bool asked_free(const WispCopy& wisp, std::uint32_t i, const CarriedPoint& carried,
+                const Escape& escape) {
+    const auto free = [&](const Vec3& a, const Vec3& b) { return escape.free(0, a, b); };
+    bool all = free(wisp.x[i - 1], wisp.x[i]) && free(carried.position, wisp.x[i]);
+    const Vec3 centre = i > 2 ? wisp.halfway(i, {}) : wisp.x[i];
+    all &= free(wisp.x[i], centre);
+    for (std::uint32_t line = 0; line < wisp.k(); ++line) {
+        for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, wisp.half_arc(i, line)}) {
+            all &= free(wisp.x[i], wisp.position(point));
+            all &= i == 2 || free(centre, wisp.halfway(i, point));
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 TEST_CASE("what the reaction knows without asking is what it would be told") {
@@ -66,7 +83,8 @@ TEST_CASE("what the reaction knows without asking is what it would be told") {
     const Whirl whirl;
     const std::vector<ContactBody> bodies{{&whirl.surface, false}};
     Escape escape(bodies, 0.001);
-    int saved_searches = 0, inside = 0, free_axes = 0, crossed_axes = 0;
+    int free_segments = 0, told_free = 0, saved_searches = 0, inside = 0, free_axes = 0,
+        crossed_axes = 0;
     for (int w = 0; w < kWisps; ++w) {
         // from the head's middle out and back: through ears, along the skin, and far away
         std::vector<Vec3> points{Vec3(0, 1.55f, 0) + dice.ball(0.12f)};
@@ -81,6 +99,8 @@ TEST_CASE("what the reaction knows without asking is what it would be told") {
         for (Vec3& x : wisp.x) {
             carried.push_back(known_at_start(whirl.surface, x, dice.within(0, 0.15f)));
             x += dice.ball(0.01f);
+            carried.back().near = true;
+            carried.back().position = x + dice.ball(0.002f);
         }
 
         CharacterBearings bearings(wisp, bodies, carried, escape);
@@ -89,7 +109,16 @@ TEST_CASE("what the reaction knows without asking is what it would be told") {
                 wisp.x[i] += dice.ball(0.02f);
                 bearings.forget(i);
             }
+            if (dice.within(0, 1) < 0.2f) {
+                wisp.r(i, 1) *= dice.within(0, 1);
+                bearings.forget_envelope(i);
+            }
             const Vec3 p = wisp.x[i];
+            const bool free = asked_free(wisp, i, carried[i], escape);
+            if (bearings.segment_free(i, 0))
+                CHECK(free);
+            free_segments += free;
+            told_free += bearings.segment_free(i, 0);
             CHECK(bearings.inside(i, 0) == escape.inside(p, 0));
             CHECK(bearings.axis_free(i, 0) == escape.free(0, wisp.x[i - 1], p));
             inside += bearings.inside(i, 0);
@@ -110,6 +139,8 @@ TEST_CASE("what the reaction knows without asking is what it would be told") {
     }
     // each kind of answer was given
     CHECK(saved_searches > 100);
+    CHECK(free_segments > 1000);
+    CHECK(told_free > free_segments / 2);
     CHECK(inside > 100);
     CHECK(free_axes > 100);
     CHECK(crossed_axes > 100);
