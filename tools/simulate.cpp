@@ -68,6 +68,32 @@ std::vector<Column> difference(const Statistics& before, const Statistics& now) 
     return table;
 }
 
+/// The contacts of a frame, one per row.
+std::vector<Column> contact_table(const std::vector<Contact>& contacts) {
+    const auto whole = [&](const char* name, auto&& of) {
+        std::vector<std::uint32_t> column;
+        for (const Contact& c : contacts)
+            column.push_back(static_cast<std::uint32_t>(of(c)));
+        return Column{name, "1", std::move(column)};
+    };
+    const auto real = [&](const char* name, const char* unit, auto&& of) {
+        std::vector<float> column;
+        for (const Contact& c : contacts)
+            column.push_back(of(c));
+        return Column{name, unit, std::move(column)};
+    };
+    return {whole("kind", [](const Contact& c) { return c.kind; }),
+            whole("section", [](const Contact& c) { return c.section; }),
+            whole("point", [](const Contact& c) { return c.point; }),
+            real("along", "1", [](const Contact& c) { return c.along; }),
+            whole("other", [](const Contact& c) { return c.other; }),
+            real("other_along", "1", [](const Contact& c) { return c.other_along; }),
+            whole("body", [](const Contact& c) { return c.body; }),
+            real("impulse_x", "N s", [](const Contact& c) { return c.impulse.x; }),
+            real("impulse_y", "N s", [](const Contact& c) { return c.impulse.y; }),
+            real("impulse_z", "N s", [](const Contact& c) { return c.impulse.z; })};
+}
+
 /// One run: the preroll, which is not stored, and the frames of the scene.
 class Run {
   public:
@@ -123,8 +149,10 @@ class Run {
         Frame frame = world_.frame();
         frame.index = index;
         cache.add(frame, poses_at(setup_.bodies, frame.time));
-        if (options_.record)
+        if (options_.record) {
             cache.add_table("PROF", index, difference(before_, world_.statistics()));
+            cache.add_table("CONT", index, contact_table(world_.contacts()));
+        }
         writing_seconds_ += seconds_since(start);
     }
 

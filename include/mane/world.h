@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mane/body.h"
+#include "mane/contact.h"
 #include "mane/desc.h"
 #include "mane/error.h"
 #include "mane/frame.h"
@@ -67,6 +68,9 @@ class World {
     /// Vertices of a body now [m], relative to the frame's origin.
     const std::vector<Vec3>& body_vertices(std::size_t body) const;
 
+    /// All contacts that are engaged now, wisps' before bodies', each in the order of their
+    /// sections. Made anew by each call.
+    std::vector<Contact> contacts() const;
     const Groom& groom() const;
     const Statistics& statistics() const;
     /// A hash over every bit of positions, velocities, radii and rates: equal for any thread count

@@ -4,6 +4,7 @@
 #include "character/surface.h"
 #include "interactions/character_point.h"
 #include "interactions/character_response.h"
+#include "mane/contact.h"
 #include "mane/desc.h"
 #include "model/ablation.h"
 
@@ -46,7 +47,7 @@ class CharacterContacts {
     /// `radius_rate` of `state`, which `hair` views, as the engaged contacts ask. `fraction`: how
     /// much of the block has passed at the time of the state's positions.
     void respond(const HairView& hair, const CharacterContactDesc& desc, float fraction, float dt,
-                 State& state, Threads& threads) const;
+                 State& state, Threads& threads);
 
     /// At a block's end, on the new positions (with the frames of the new curve): the penetration
     /// reaction (M31-M33), against the bodies' poses at the block's end. Changes `position` and
@@ -56,13 +57,16 @@ class CharacterContacts {
 
     std::span<const SlidingContact> of_wisp(std::size_t wisp) const { return contacts_[wisp]; }
     std::uint64_t count() const;
+    /// Adds the sliding contacts with their impulses of the last step.
+    void list(const Groom& groom, std::vector<Contact>& contacts) const;
 
   private:
     Ablation ablation_;
     std::vector<std::vector<SlidingContact>> contacts_; // per wisp
     std::vector<std::vector<CarriedPoint>> carried_;    // per wisp: bodies × sections
     double duration_ = 0;
-    mutable std::vector<SlidingResponse> responses_; // scratch, per chunk of wisps
+    std::vector<std::vector<Vec3>> impulses_; // per wisp and contact, of the last step
+    std::vector<SlidingResponse> responses_;  // scratch, per chunk of wisps
 };
 
 /// Throws InputError naming the wisp when its x₁ is inside a body that is not worn, in the bodies'

@@ -257,6 +257,22 @@ void CharacterContacts::detect(const HairView& hair, std::span<const ContactBody
     });
 }
 
+void CharacterContacts::list(const Groom& groom, std::vector<Contact>& contacts) const {
+    for (std::size_t w = 0; w < contacts_.size(); ++w)
+        for (std::size_t i = 0; i < contacts_[w].size(); ++i) {
+            const SlidingContact& c = contacts_[w][i];
+            const bool own = c.point.along == 0 && (c.point.on_axis() || c.point.beta == 0);
+            const std::uint32_t point = c.point.on_axis() ? 0 : 1 + c.point.k;
+            contacts.push_back({.kind = ContactKind::sliding,
+                                .point = own ? static_cast<std::uint8_t>(point) : Contact::kBetween,
+                                .section = groom.first_section[w] + c.point.section,
+                                .along = c.point.along,
+                                .other = c.triangle,
+                                .body = c.body,
+                                .impulse = impulses_[w][i]});
+        }
+}
+
 std::uint64_t CharacterContacts::count() const {
     std::uint64_t sum = 0;
     for (const auto& wisp : contacts_)

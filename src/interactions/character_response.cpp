@@ -22,7 +22,7 @@ constexpr std::size_t kNone = ~std::size_t{0};
 
 void SlidingResponse::answer(const HairView& hair, std::uint32_t number,
                              std::span<const SlidingContact> contacts, const Step& step,
-                             State& state) {
+                             State& state, std::vector<Vec3>& impulses) {
     contacts_ = contacts;
     // sorted by section; a point may be between its section and the next
     first_ = contacts.front().point.section;
@@ -30,12 +30,15 @@ void SlidingResponse::answer(const HairView& hair, std::uint32_t number,
                     static_cast<std::uint32_t>(hair.groom.sections(number)));
     wisp_.load_motion(hair, number, first_, end_);
     find_planes(step);
+    impulses.assign(contacts.size(), {});
     if (idle())
         return;
     wisp_.load_masses(hair);
     drag(step.drag);
     stop_approach();
     wisp_.store_velocities(hair, state);
+    for (std::size_t c = 0; c < planes_.size(); ++c)
+        impulses[c] = planes_[c].normal * planes_[c].impulse + planes_[c].dragged;
 }
 
 void SlidingResponse::find_planes(const Step& step) {
@@ -121,7 +124,7 @@ bool SlidingResponse::goes_before(std::size_t a, std::size_t b) const {
 
 void SlidingResponse::drag(std::size_t c, float loss) {
     const WispPoint point = contacts_[c].point.axis();
-    const Plane& plane = planes_[c];
+    Plane& plane = planes_[c];
     const Vec3 relative = wisp_.velocity(point) - plane.velocity;
     const Vec3 sliding = relative - plane.normal * dot(relative, plane.normal);
     const float speed = length(sliding);
@@ -129,8 +132,10 @@ void SlidingResponse::drag(std::size_t c, float loss) {
         return;
     const Vec3 along = sliding / speed;
     const float inverse_mass = wisp_.inverse_mass(point, along);
-    if (inverse_mass > 0)
-        wisp_.push(point, along * (-loss * speed / inverse_mass));
+    if (inverse_mass == 0)
+        return;
+    plane.dragged = along * (-loss * speed / inverse_mass);
+    wisp_.push(point, plane.dragged);
 }
 
 void SlidingResponse::stop_approach() {
@@ -164,7 +169,7 @@ float SlidingResponse::stop_approach(std::size_t c) {
 }
 
 void CharacterContacts::respond(const HairView& hair, const CharacterContactDesc& desc,
-                                float fraction, float dt, State& state, Threads& threads) const {
+                                float fraction, float dt, State& state, Threads& threads) {
     const std::size_t wisps = contacts_.size();
     const std::size_t chunks = (wisps + kWispsPerChunk - 1) / kWispsPerChunk;
     const SlidingResponse::Step step{
@@ -172,12 +177,13 @@ void CharacterContacts::respond(const HairView& hair, const CharacterContactDesc
         static_cast<float>(1 - exponential(-double(desc.friction) * double(dt))),
         ablation_.polygon_velocity};
     responses_.resize(chunks);
+    impulses_.resize(wisps);
     const auto answer_chunk = [&](std::size_t chunk) {
         const std::size_t last = std::min(wisps, (chunk + 1) * kWispsPerChunk);
         for (std::size_t w = chunk * kWispsPerChunk; w < last; ++w) {
             if (!contacts_[w].empty())
                 responses_[chunk].answer(hair, static_cast<std::uint32_t>(w), contacts_[w], step,
-                                         state);
+                                         state, impulses_[w]);
         }
     };
     threads.run(chunks, std::ref(answer_chunk)); // by reference: a copy would be allocated

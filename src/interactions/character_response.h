@@ -46,9 +46,10 @@ class SlidingResponse {
     };
 
     /// Answers the contacts (not none, sorted by section) of wisp `number` of `hair`, which views
-    /// `state`.
+    /// `state`. `impulses`: what each did [N·s].
     void answer(const HairView& hair, std::uint32_t number,
-                std::span<const SlidingContact> contacts, const Step& step, State& state);
+                std::span<const SlidingContact> contacts, const Step& step, State& state,
+                std::vector<Vec3>& impulses);
 
   private:
     /// A contact's plane now.
@@ -60,6 +61,7 @@ class SlidingResponse {
         float inverse_mass = 0;  // that an impulse along the normal meets, once it is asked for
         bool weighed = false;    // whether it was
         float impulse = 0;       // given so far in this step, along the normal
+        Vec3 dragged;            // the impulse of drag
     };
 
     Plane plane_now(const SlidingContact& contact, const Step& step) const;

@@ -277,4 +277,18 @@ void WispResponse::push_section(const HairView& hair, std::uint32_t section, Fou
             on_envelope[k] * mass.envelope - dot(half_line_[at + k + 1], by);
 }
 
+void WispResponse::list(std::vector<Contact>& contacts) const {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const WispContact& c = contacts_[i];
+        contacts.push_back({.kind = c.kind == WispContactKind::friction ? ContactKind::friction
+                                                                        : ContactKind::collision,
+                            .point = c.point.is_axis() ? Contact::kBetween : c.point.code,
+                            .section = c.section,
+                            .along = c.along,
+                            .other = c.segment,
+                            .other_along = c.s,
+                            .impulse = first_three(impulses_[i])});
+    }
+}
+
 } // namespace mane

@@ -5,6 +5,7 @@
 #include "base/parallel_for.h"
 #include "interactions/contact_matrix.h"
 #include "interactions/wisp_contact.h"
+#include "mane/contact.h"
 #include "mane/desc.h"
 
 #include <span>
@@ -32,6 +33,9 @@ class WispResponse {
 
     /// Changes `velocity` and `radius_rate` of `state` for one step.
     void apply(const HairView& hair, State& state, Threads& threads);
+
+    /// Adds the engaged contacts with their impulses of the last step.
+    void list(std::vector<Contact>& contacts) const;
 
   private:
     /// A contact ready to be answered, in one cache line. A *place* is a section's skeleton point

@@ -39,6 +39,11 @@ void check_fit(const Groom& groom, const std::vector<Body>& bodies) {
 
 } // namespace
 
+const char* contact_kind_name(ContactKind kind) {
+    static constexpr const char* kNames[] = {"friction", "collision", "sliding"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
 const char* stage_name(Stage stage) {
     return kStageNames[static_cast<std::size_t>(stage)];
 }
@@ -201,6 +206,15 @@ const Groom& World::groom() const {
 }
 const Statistics& World::statistics() const {
     return data_->simulation.statistics;
+}
+std::vector<Contact> World::contacts() const {
+    std::vector<Contact> list;
+    if (data_->frame.index == 0)
+        return list; // nothing has been looked for
+    if (data_->simulation.desc.wisps.mode != WispContactMode::off)
+        data_->simulation.wisp_response.list(list);
+    data_->simulation.character_contacts.list(data_->simulation.groom, list);
+    return list;
 }
 const char* World::instruction_set() const {
     return data_->simulation.kernels.instruction_set;

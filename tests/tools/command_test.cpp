@@ -198,6 +198,10 @@ TEST_CASE("a run leaves a cache, a table and statistics; info and compare read i
     CHECK(cache.frame(0).time == doctest::Approx(0));
     CHECK(cache.frame(3).time == doctest::Approx(3 / 24.0));
     CHECK_FALSE(cache.table("PROF", 2).empty());
+    const std::vector<Column> contacts = cache.table("CONT", 3);
+    REQUIRE(contacts.size() == 10);
+    CHECK(contacts[0].name == "kind");
+    CHECK_FALSE(std::get<std::vector<std::uint32_t>>(contacts[0].values).empty());
 
     const auto info = nlohmann::json::parse(mane_command(folder, "info a.mane --json").out);
     CHECK(info["frames"] == 4);
