@@ -27,31 +27,18 @@ BoxDistances::BoxDistances(const Vec3d& p) {
 
 // What is compared is within the box: it rounds by less than a millionth of its farthest corner's
 // size along the way.
-BoxHeights::BoxHeights(const Vec3& way, const TriangleTree::Box& box)
-    : way_{way.x, way.y, way.z}, low_{box.low.x, box.low.y, box.low.z}, high_{box.high.x,
-                                                                              box.high.y,
-                                                                              box.high.z} {
+BoxHeights::BoxHeights(const Vec3& way, const TriangleTree::Box& box) : along_(way) {
+    const std::array<float, 3> ways{way.x, way.y, way.z}, low{box.low.x, box.low.y, box.low.z},
+        high{box.high.x, box.high.y, box.high.z};
     float size = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        size += std::abs(way_[axis]) * std::max(std::abs(low_[axis]), std::abs(high_[axis]));
-    slack_ = kBoxRounding * size;
-}
-
-Four BoxHeights::highest(const TriangleTree::Node& node) const {
-    Four gap{}, height = Four{} + slack_;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        gap = larger(gap, larger(node.low[axis] - high_[axis], low_[axis] - node.high[axis]));
-        height += way_[axis] > 0 ? way_[axis] * smaller(node.high[axis], Four{} + high_[axis])
-                                 : way_[axis] * larger(node.low[axis], Four{} + low_[axis]);
+        size += std::abs(ways[axis]) * std::max(std::abs(low[axis]), std::abs(high[axis]));
+        up_[axis] = Four{} + std::max(ways[axis], 0.0f);
+        down_[axis] = Four{} + std::min(ways[axis], 0.0f);
+        low_[axis] = Four{} + low[axis];
+        high_[axis] = Four{} + high[axis];
     }
-    return gap > 0 ? Four{} + kLowest : height;
-}
-
-float BoxHeights::highest(const std::array<Vec3, 3>& corners) const {
-    const Vec3d way{double(way_[0]), double(way_[1]), double(way_[2])};
-    const double height = std::max(
-        {dot(way, Vec3d(corners[0])), dot(way, Vec3d(corners[1])), dot(way, Vec3d(corners[2]))});
-    return static_cast<float>(height + std::abs(height) * double(kBoxRounding));
+    slack_ = kBoxRounding * size;
 }
 
 // Rounding moves what is compared by less than a millionth of the origin's and of the part's size.

@@ -2,7 +2,9 @@
 
 #include "character/triangle_tree.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mane {
 
@@ -43,15 +45,31 @@ class BoxHeights {
     BoxHeights(const Vec3& way, const TriangleTree::Box& box);
 
     /// Not lower than anything within both boxes; lowest of all where they are apart.
-    Four highest(const TriangleTree::Node& node) const;
+    Four highest(const TriangleTree::Node& node) const {
+        Four gap{}, height = Four{} + slack_;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Four low = larger(node.low[axis], low_[axis]),
+                       high = smaller(node.high[axis], high_[axis]);
+            gap = larger(gap, low - high);
+            height += up_[axis] * high + down_[axis] * low;
+        }
+        return gap > 0 ? Four{} + kLowest : height;
+    }
     /// Not lower than the triangle.
-    float highest(const std::array<Vec3, 3>& corners) const;
+    float highest(const std::array<Vec3, 3>& corners) const {
+        const Vec3d way(along_);
+        const double height = std::max({dot(way, Vec3d(corners[0])), dot(way, Vec3d(corners[1])),
+                                        dot(way, Vec3d(corners[2]))});
+        return static_cast<float>(height + std::abs(height) * double(kBoxRounding));
+    }
     static constexpr float kLowest = -1e30f;
     /// More than a height in the box may be off when reckoned in single precision.
     float slack() const { return slack_; }
 
   private:
-    std::array<float, 3> way_, low_, high_;
+    Vec3 along_;
+    std::array<Four, 3> up_, down_; // the way's parts that are positive, and negative
+    std::array<Four, 3> low_, high_;
     float slack_;
 };
 

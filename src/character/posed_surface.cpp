@@ -116,8 +116,10 @@ void PosedSurface::walk(LookInto&& look_into, Visit&& visit) const {
                 if (!visit(i, box))
                     return;
             }
-            if (first == last)
+            if (first == last) {
                 stack[depth++] = first;
+                __builtin_prefetch(&nodes[first]);
+            }
         }
     }
 }

@@ -8,13 +8,6 @@ namespace {
 
 constexpr std::uint32_t kLeaf = 2;
 
-Vec3 lower(const Vec3& a, const Vec3& b) {
-    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-Vec3 upper(const Vec3& a, const Vec3& b) {
-    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
-}
-
 TriangleTree::Box box_of(std::span<const std::array<Vec3, 3>> triangles) {
     TriangleTree::Box box{triangles[0][0], triangles[0][0]};
     for (const auto& corners : triangles) {
@@ -42,10 +35,6 @@ void put(const TriangleTree::Box& box, std::size_t i, TriangleTree::Node& node) 
 
 } // namespace
 
-TriangleTree::Box both(const TriangleTree::Box& a, const TriangleTree::Box& b) {
-    return {lower(a.low, b.low), upper(a.high, b.high)};
-}
-
 TriangleTree::TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Vec3> vertices)
     : order_(triangles.size()) {
@@ -70,11 +59,11 @@ void TriangleTree::split(std::span<const Vec3> centres, Range range) {
     }
 
     const std::size_t node = nodes_.size();
-    nodes_.emplace_back().boxes = parts;
+    nodes_.emplace_back().boxes = static_cast<std::uint8_t>(parts);
     for (std::uint32_t i = 0; i < parts; ++i) {
         const bool leaf = part[i].count <= kLeaf;
         nodes_[node].first[i] = leaf ? part[i].first : static_cast<std::uint32_t>(nodes_.size());
-        nodes_[node].count[i] = leaf ? part[i].count : 0;
+        nodes_[node].count[i] = static_cast<std::uint8_t>(leaf ? part[i].count : 0);
         if (!leaf)
             split(centres, part[i]);
     }

@@ -3,6 +3,7 @@
 #include "base/four.h"
 #include "mane/vec.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -22,13 +23,14 @@ class TriangleTree {
         Vec3 low, high;
     };
     static constexpr Four kNowhere{1e30f, 1e30f, 1e30f, 1e30f};
-    struct Node {
+    /// Two cache lines.
+    struct alignas(64) Node {
         /// What is not in use is where nothing is.
         Four low[3]{kNowhere, kNowhere, kNowhere}, high[3]{-kNowhere, -kNowhere, -kNowhere};
         /// What is in each box: a node, or triangles from this place of `order` on.
         std::array<std::uint32_t, kBoxes> first{};
-        std::array<std::uint32_t, kBoxes> count{}; ///< of triangles, 0 for a node
-        std::uint32_t boxes = 0;                   ///< in use
+        std::array<std::uint8_t, kBoxes> count{}; ///< of triangles, 0 for a node
+        std::uint8_t boxes = 0;                   ///< in use
     };
     static constexpr std::size_t kDepth = 64; ///< entries that a traversal may have to remember
 
@@ -58,6 +60,10 @@ class TriangleTree {
 };
 
 /// The box that holds two.
-TriangleTree::Box both(const TriangleTree::Box& a, const TriangleTree::Box& b);
+inline TriangleTree::Box both(const TriangleTree::Box& a, const TriangleTree::Box& b) {
+    return {
+        {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+        {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
+}
 
 } // namespace mane

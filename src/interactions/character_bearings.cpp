@@ -18,7 +18,8 @@ double distance(const Vec3& a, const Vec3& b) {
 
 CharacterBearings::CharacterBearings(const WispCopy& wisp, std::span<const ContactBody> bodies,
                                      std::span<const CarriedPoint> carried, const Escape& escape)
-    : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(escape), known_(carried.size()) {}
+    : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(escape), known_(carried.size()),
+      drawn_(wisp.sections() * (1 + 2 * wisp.k())), drawn_known_(wisp.sections(), 0) {}
 
 // A place of the surface goes no farther over the block than the vertices of its triangle.
 double CharacterBearings::clear(std::uint32_t i, std::uint32_t b, const Vec3& p,
@@ -75,26 +76,48 @@ bool CharacterBearings::segment_free(std::uint32_t i, std::uint32_t b) {
 
 bool CharacterBearings::find_segment_free(std::uint32_t i, std::uint32_t b) {
     const CarriedPoint& carried = carried_[at(i, b)];
-    points_ = {wisp_.x[i - 1], wisp_.x[i]};
+    points_.assign({wisp_.x[i - 1], wisp_.x[i]});
     if (carried.near)
         points_.push_back(carried.position);
+    const auto here = drawn(i);
+    points_.insert(points_.end(), here.begin(), here.end());
     if (WispCopy::simulated(i - 1))
-        points_.push_back(wisp_.halfway(i, {}));
-    for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
-        for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, wisp_.half_arc(i, line)}) {
-            points_.push_back(wisp_.position(point));
-            if (WispCopy::simulated(i - 1))
-                points_.push_back(wisp_.halfway(i, point));
+        add_halfway(i);
+    return clear_of_points(b, way_out(i, b));
+}
+
+/// The axis, the envelope points and the arcs' middles of a section.
+std::span<const Vec3> CharacterBearings::drawn(std::uint32_t i) {
+    const std::size_t count = 1 + 2 * wisp_.k();
+    const auto places = std::span(drawn_).subspan(i * count, count);
+    if (!drawn_known_[i]) {
+        places[0] = wisp_.x[i];
+        for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
+            places[1 + 2 * line] = wisp_.position({i, 0, line, 1, 0});
+            places[2 + 2 * line] = wisp_.position(wisp_.half_arc(i, line));
         }
+        drawn_known_[i] = 1;
     }
-    const Vec3 way = way_out(i, b);
+    return places;
+}
+
+/// WispCopy::halfway of all that is drawn, but for rounding.
+void CharacterBearings::add_halfway(std::uint32_t i) {
+    const auto before = drawn(i - 1), here = drawn(i), first = drawn(i - 2),
+               last = drawn(std::min(i + 1, wisp_.sections() - 1));
+    for (std::size_t n = 0; n < here.size(); ++n)
+        points_.push_back((before[n] + here[n]) * (9.0f / 16) - (first[n] + last[n]) * (1.0f / 16));
+}
+
+bool CharacterBearings::clear_of_points(std::uint32_t b, const Vec3& way) const {
     TriangleTree::Box box{points_[0], points_[0]};
     float lowest = dot(way, points_[0]);
     for (const Vec3& p : points_) {
         box = both(box, {p, p});
         lowest = std::min(lowest, dot(way, p));
     }
-    const BoxHeights heights(way, box);
+    const Vec3 over(kOver, kOver, kOver);
+    const BoxHeights heights(way, {box.low - over, box.high + over});
     lowest -= heights.slack() + kOver; // also where the way is zero, all heights alike
     return bodies_[b].surface->end().roof(heights, lowest, lowest) <= lowest;
 }
@@ -125,6 +148,7 @@ void CharacterBearings::forget(std::uint32_t i) {
 
 // The drawn surface halfway along a segment hangs on the sections before and after its ends too.
 void CharacterBearings::forget_envelope(std::uint32_t i) {
+    drawn_known_[i] = 0;
     const std::uint32_t end = std::min(i + 3, wisp_.sections());
     for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
         for (std::uint32_t segment = i - 1; segment < end; ++segment)

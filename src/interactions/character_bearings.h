@@ -60,6 +60,9 @@ class CharacterBearings {
         Answer segment_free = Answer::unknown;
     };
     bool find_segment_free(std::uint32_t i, std::uint32_t b);
+    bool clear_of_points(std::uint32_t b, const Vec3& way) const;
+    std::span<const Vec3> drawn(std::uint32_t i);
+    void add_halfway(std::uint32_t i);
     Vec3 way_out(std::uint32_t i, std::uint32_t b) const;
     std::size_t at(std::uint32_t i, std::uint32_t b) const { return b * wisp_.sections() + i; }
 
@@ -67,8 +70,10 @@ class CharacterBearings {
     std::span<const ContactBody> bodies_;
     std::span<const CarriedPoint> carried_;
     const Escape& escape_;
-    std::vector<Known> known_; // bodies × sections
-    std::vector<Vec3> points_; // of a segment
+    std::vector<Known> known_;              // bodies × sections
+    std::vector<Vec3> points_;              // of a segment
+    std::vector<Vec3> drawn_;               // sections × (1 + 2 K): see drawn()
+    std::vector<std::uint8_t> drawn_known_; // per section
 };
 
 } // namespace mane

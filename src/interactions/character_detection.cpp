@@ -1,4 +1,3 @@
-#include "character/box_tests.h"
 #include "interactions/character_contact.h"
 #include "interactions/character_planes.h"
 
@@ -13,15 +12,26 @@ namespace {
 constexpr std::size_t kWispsPerChunk = 16;
 /// A support point this near to an envelope point is that point.
 constexpr float kAtEnvelopePoint = 0.98f;
-constexpr float kOver = 1e-5f; // [m] over the rounding of positions
+
+/// Kept from wisp to wisp.
+struct DetectionScratch {
+    WispCopy wisp;
+    PlaneFinder planes;
+    std::vector<SurfacePlace> around;
+};
+
+bool nearer_the_root(const SlidingContact& a, const SlidingContact& b) {
+    return a.point.section < b.point.section;
+}
 
 /// Detection for one wisp and one body, from root to tip.
 class Detector {
   public:
     Detector(const WispCopy& wisp, const ContactBody& body, std::uint32_t number,
-             const CharacterContactDesc& desc, std::vector<SlidingContact>& contacts)
+             const CharacterContactDesc& desc, DetectionScratch& scratch,
+             std::vector<SlidingContact>& contacts)
         : wisp_(wisp), surface_(*body.surface), worn_(body.worn), number_(number), desc_(desc),
-          contacts_(contacts) {}
+          contacts_(contacts), planes_(scratch.planes), around_(scratch.around) {}
 
     void run(std::span<CarriedPoint> carried) {
         const double block = surface_.duration();
@@ -37,7 +47,6 @@ class Detector {
             if (!under && block > 0) {
                 touch_segment(i - 1, before, here);
                 touch_section(i, here);
-                find_planes(here.place ? here : before);
             }
             before = here;
         }
@@ -149,8 +158,7 @@ class Detector {
             touch(point, clear, reach.velocity);
     }
 
-    /// Takes note of a point for which planes are to be looked for. Nothing is nearer to it than
-    /// `clear`.
+    /// Looks for the planes of one point, nothing being nearer to it than `clear`.
     void touch(const WispPoint& point, double clear, const Vec3d& surface_velocity) {
         Approach approach;
         approach.velocity = Vec3d(wisp_.velocity(point));
@@ -160,45 +168,8 @@ class Detector {
         if (clear > approach.reach(surface_.duration()))
             return;
         approach.position = Vec3d(wisp_.position(point));
-        touches_.push_back({point, approach});
-    }
-
-    /// Looks for the planes of the points that were noted. Many are on the wisp's far side from the
-    /// surface, higher than all of it around. `near`: which says where that is.
-    void find_planes(const Reach& near) {
-        if (touches_.empty())
-            return;
-        const Vec3 way = Vec3(normalized(near.from - near.place->closest.point));
-        const float roof = roof_under_touches(way, near);
-        for (const auto& [point, approach] : touches_) {
-            if (height(way, approach) > roof)
-                continue;
-            for (const NearPlane& plane : planes_.find(surface_, approach))
-                add(point, plane);
-        }
-        touches_.clear();
-    }
-
-    /// How far along `way` the lowest place is that a point could reach.
-    float height(const Vec3& way, const Approach& approach) const {
-        return dot(way, Vec3(approach.position)) - reach_of(approach);
-    }
-    float reach_of(const Approach& approach) const {
-        return static_cast<float>(approach.reach(surface_.duration())) + kOver;
-    }
-
-    float roof_under_touches(const Vec3& way, const Reach& near) const {
-        TriangleTree::Box box{Vec3(near.from), Vec3(near.from)};
-        float highest = BoxHeights::kLowest;
-        for (const auto& [point, approach] : touches_) {
-            const float reach = reach_of(approach);
-            const Vec3 corner(reach, reach, reach), p(approach.position);
-            box = both(box, {p - corner, p + corner});
-            highest = std::max(highest, height(way, approach));
-        }
-        const float floor = dot(way, Vec3(near.place->closest.point));
-        const BoxHeights heights(way, box);
-        return surface_.start().roof(heights, floor, highest) + heights.slack();
+        for (const NearPlane& plane : planes_.find(surface_, approach))
+            add(point, plane);
     }
 
     void add(const WispPoint& point, const NearPlane& plane) {
@@ -222,13 +193,8 @@ class Detector {
     std::uint32_t number_;
     const CharacterContactDesc& desc_;
     std::vector<SlidingContact>& contacts_;
-    PlaneFinder planes_;
-    std::vector<SurfacePlace> around_;
-    struct Touch {
-        WispPoint point;
-        Approach approach;
-    };
-    std::vector<Touch> touches_;
+    PlaneFinder& planes_;
+    std::vector<SurfacePlace>& around_;
 };
 
 } // namespace
@@ -240,19 +206,21 @@ void CharacterContacts::detect(const HairView& hair, std::span<const ContactBody
     carried_.resize(wisps);
     duration_ = bodies.empty() ? 0 : bodies[0].surface->duration();
     threads.run((wisps + kWispsPerChunk - 1) / kWispsPerChunk, [&](std::size_t chunk) {
-        WispCopy wisp;
+        DetectionScratch scratch;
+        WispCopy& wisp = scratch.wisp;
         const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
         for (std::size_t w = chunk * kWispsPerChunk; w < end; ++w) {
             wisp.load(hair, static_cast<std::uint32_t>(w));
             const std::size_t sections = wisp.sections();
-            contacts_[w].clear();
+            std::vector<SlidingContact>& contacts = contacts_[w];
+            contacts.clear();
             carried_[w].resize(bodies.size() * sections);
             for (std::uint32_t b = 0; b < bodies.size(); ++b)
-                Detector(wisp, bodies[b], b, desc, contacts_[w])
+                Detector(wisp, bodies[b], b, desc, scratch, contacts)
                     .run(std::span(carried_[w]).subspan(b * sections, sections));
-            std::stable_sort(
-                contacts_[w].begin(), contacts_[w].end(),
-                [](const auto& x, const auto& y) { return x.point.section < y.point.section; });
+            // those of one body come sorted
+            if (!std::is_sorted(contacts.begin(), contacts.end(), nearer_the_root))
+                std::stable_sort(contacts.begin(), contacts.end(), nearer_the_root);
         }
     });
 }

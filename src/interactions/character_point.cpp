@@ -79,32 +79,6 @@ float WispCopy::largest_radius(std::uint32_t section) const {
     return *std::max_element(first, first + k());
 }
 
-Vec3 WispCopy::offset(std::uint32_t s, const WispPoint& p) const {
-    if (p.alpha == 0 && p.beta == 0)
-        return {};
-    return d(s, p.k) * (p.alpha * r(s, p.k)) + d(s, next(p.k)) * (p.beta * r(s, next(p.k)));
-}
-
-Vec3 WispCopy::offset_rate(std::uint32_t s, const WispPoint& p) const {
-    if (p.alpha == 0 && p.beta == 0)
-        return {};
-    return d(s, p.k) * (p.alpha * rate(s, p.k)) + d(s, next(p.k)) * (p.beta * rate(s, next(p.k)));
-}
-
-Vec3 WispCopy::position(const WispPoint& p) const {
-    if (p.along == 0)
-        return x[p.section] + offset(p.section, p);
-    return (x[p.section] + offset(p.section, p)) * (1 - p.along) +
-           (x[p.section + 1] + offset(p.section + 1, p)) * p.along;
-}
-
-Vec3 WispCopy::velocity(const WispPoint& p) const {
-    if (p.along == 0)
-        return v[p.section] + offset_rate(p.section, p);
-    return (v[p.section] + offset_rate(p.section, p)) * (1 - p.along) +
-           (v[p.section + 1] + offset_rate(p.section + 1, p)) * p.along;
-}
-
 // α = β on α² + β² + 2αβC = 1.
 WispPoint WispCopy::half_arc(std::uint32_t section, std::uint32_t line) const {
     const float c = dot(d(section, line), d(section, next(line)));

@@ -95,6 +95,32 @@ class WispCopy {
     std::vector<SectionMass> mass_;
 };
 
+inline Vec3 WispCopy::offset(std::uint32_t s, const WispPoint& p) const {
+    if (p.alpha == 0 && p.beta == 0)
+        return {};
+    return d(s, p.k) * (p.alpha * r(s, p.k)) + d(s, next(p.k)) * (p.beta * r(s, next(p.k)));
+}
+
+inline Vec3 WispCopy::offset_rate(std::uint32_t s, const WispPoint& p) const {
+    if (p.alpha == 0 && p.beta == 0)
+        return {};
+    return d(s, p.k) * (p.alpha * rate(s, p.k)) + d(s, next(p.k)) * (p.beta * rate(s, next(p.k)));
+}
+
+inline Vec3 WispCopy::position(const WispPoint& p) const {
+    if (p.along == 0)
+        return x[p.section] + offset(p.section, p);
+    return (x[p.section] + offset(p.section, p)) * (1 - p.along) +
+           (x[p.section + 1] + offset(p.section + 1, p)) * p.along;
+}
+
+inline Vec3 WispCopy::velocity(const WispPoint& p) const {
+    if (p.along == 0)
+        return v[p.section] + offset_rate(p.section, p);
+    return (v[p.section] + offset_rate(p.section, p)) * (1 - p.along) +
+           (v[p.section + 1] + offset_rate(p.section + 1, p)) * p.along;
+}
+
 /// The point of a section's contact surface farthest along `g` in a plane through it: where a flat
 /// wall facing −g touches first. Empty when no sector of the envelope faces g.
 WispPoint support_point(const WispCopy& wisp, std::uint32_t section, float along, const Vec3& g);

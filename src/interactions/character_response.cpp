@@ -24,10 +24,10 @@ void SlidingResponse::answer(const HairView& hair, std::uint32_t number,
                              std::span<const SlidingContact> contacts, const Step& step,
                              State& state, std::vector<Vec3>& impulses) {
     contacts_ = contacts;
-    // sorted by section; a point may be between its section and the next
     first_ = contacts.front().point.section;
-    end_ = std::min(contacts.back().point.section + 2,
-                    static_cast<std::uint32_t>(hair.groom.sections(number)));
+    end_ = first_ + 1;
+    for (const SlidingContact& contact : contacts)
+        end_ = std::max(end_, contact.point.section + (contact.point.along > 0 ? 2 : 1));
     wisp_.load_motion(hair, number, first_, end_);
     find_planes(step);
     impulses.assign(contacts.size(), {});
