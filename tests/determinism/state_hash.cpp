@@ -26,7 +26,7 @@ HairDesc medium() {
     style.nape_length = 0.26f, style.crown_length = 0.34f;
     style.root_radius = 0.026f, style.radius = 0.03f, style.tip_radius = 0.015f;
     style.widest = 0.5f;
-    hair.skeleton.strain = 0.006f;
+    hair.skeleton.strain = 0.0055f;
     return hair;
 }
 

@@ -23,7 +23,7 @@ inline std::vector<NamedStyle> three_styles() {
     StyleDesc& b = m.hair.style;
     b.wisps = 73, b.segments = 9.9f, b.nape_length = 0.26f, b.crown_length = 0.34f;
     b.root_radius = 0.027f, b.radius = 0.032f, b.tip_radius = 0.016f, b.widest = 0.5f;
-    m.hair.skeleton.strain = 0.006f;
+    m.hair.skeleton.strain = 0.0055f;
     // long: the defaults
     return {s, m, l};
 }
