@@ -66,14 +66,15 @@ def all_cells(clips: dict[str, dict]) -> list[Cell]:
     return cells + [Cell(style, clip, mode) for clip in clips for mode in MODES[1:] for style in STYLES]
 
 
-def measure(mane: Path, cell: Cell, clip: dict, out: Path) -> dict:
-    """Simulates and judges one cell. A cell that does not run says why under "error"."""
+def measure(mane: Path, cell: Cell, clip: dict, out: Path, run_kept: bool) -> dict:
+    """Simulates (unless the run is kept) and judges one cell. A cell that does not run says why under "error"."""
     scene, cache, stats = ROOT / f"scenes/{cell.style}.toml", out / f"{cell.name}.mane", out / f"{cell.name}.stats.json"
     settings = [word for setting in cell.settings(clip) for word in ("--set", setting)]
     command = [mane, "simulate", scene, "-o", cache, "--threads", "1", "--stats", stats, *settings]
-    run = subprocess.run(command, capture_output=True, text=True)
-    if run.returncode != 0:
-        return {"error": f"simulate: {run.stderr.strip()}"}
+    if not run_kept:
+        run = subprocess.run(command, capture_output=True, text=True)
+        if run.returncode != 0:
+            return {"error": f"simulate: {run.stderr.strip()}"}
     judged = subprocess.run([mane, "check", cache, "--json"], capture_output=True, text=True)
     if judged.returncode not in (0, 1):
         return {"error": f"check: {judged.stderr.strip()}"}
@@ -106,8 +107,8 @@ def print_summary(results: dict[Cell, dict]) -> None:
     for mode in MODES:
         of_mode = [r for c, r in results.items() if c.mode == mode and not c.settling and "error" not in r]
         if of_mode:
-            crossings = fmean(r["criteria"]["crossings"]["value"] for r in of_mode)
-            print(f"{mode:12} {sum(r['passed'] for r in of_mode)} of {len(of_mode)} pass, {crossings:.2f} crossings per segment")
+            passages = fmean(r["criteria"]["passages"]["value"] for r in of_mode)
+            print(f"{mode:12} {sum(r['passed'] for r in of_mode)} of {len(of_mode)} pass, {passages:.3f} passages per wisp and second")
 
 
 def main() -> None:
@@ -116,6 +117,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=ROOT / "out/evidence", help="where runs and their figures are kept")
     parser.add_argument("--only", nargs="+", default=[""], metavar="WORD", help="cells whose name contains one of these")
     parser.add_argument("--fresh", action="store_true", help="run cells again that are done")
+    parser.add_argument("--judge", action="store_true", help="judge the kept runs anew, with what `mane check` measures now")
     parser.add_argument("--report", action="store_true", help="run nothing, write the report from what is done")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
@@ -124,10 +126,10 @@ def main() -> None:
     for cell in all_cells(clips):
         clip, result_file = clips[cell.clip], options.out / f"{cell.name}.json"
         wanted = not options.report and any(word in cell.name for word in options.only)
-        result = None if options.fresh and wanted else finished(result_file, cell, clip)
-        if result is None and wanted:
+        result = kept = None if options.fresh and wanted else finished(result_file, cell, clip)
+        if wanted and (result is None or options.judge):
             start = time.monotonic()
-            result = {"identity": identity(cell, clip), **measure(options.mane, cell, clip, options.out)}
+            result = {"identity": identity(cell, clip), **measure(options.mane, cell, clip, options.out, kept is not None)}
             result["seconds"] = time.monotonic() - start
             result_file.write_text(json.dumps(result, indent=1))
         if result is not None:

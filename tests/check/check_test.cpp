@@ -20,8 +20,9 @@ using namespace mane::test;
 namespace {
 
 /// Figures without a bound.
-const std::set<std::string> kMeasured = {"area_mean", "tips_range", "energy_decay", "intersections",
-                                         "crossings", "partings",   "partings_last"};
+const std::set<std::string> kMeasured = {"area_mean",     "tips_range",   "energy_decay",
+                                         "intersections", "crossings",    "passages",
+                                         "partings",      "partings_last"};
 
 /// Where and how a criterion failed.
 void check_fails(const CheckReport& report, const char* name, std::optional<std::uint32_t> wisp,
@@ -414,6 +415,16 @@ TEST_CASE("crossings are the intersections that lie across") {
     report = run.judge();
     CHECK(report["crossings"].value > 0);
     CHECK(report["crossings"].value == report["intersections"].value);
+    CHECK(report["passages"].value == 0);
+
+    // From frame 7 on it is on the other side of the axis.
+    for (std::size_t n = 0; n < run.frames.size(); ++n)
+        for (std::size_t i = 0; i <= kTip; ++i)
+            run.frames[n].position[run.section(1, i)].z += n < 7 ? 0.001f : -0.001f;
+    report = run.judge();
+    const double seconds = run.frames.back().time - run.frames.front().time;
+    const auto wisps = static_cast<double>(run.setup.groom.wisp_count());
+    CHECK(report["passages"].value == doctest::Approx(2 / (wisps * seconds)));
 }
 
 TEST_CASE(
