@@ -8,15 +8,15 @@ source scripts/setup.sh
 
 # shellcheck disable=SC2086
 mane_install $mane_packages_build $mane_packages_test
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+log=$(mktemp) build_log=$(mktemp)
+trap 'rm -f "$log" "$build_log"' EXIT
 
 # The tests of one preset: built, then run with their whole output kept for counting.
 run_preset() {
     echo "== $1"
     cmake --preset "$1" >/dev/null
-    cmake --build --preset "$1" | grep -E 'warning|error|FAILED' || true
-    cmake --build --preset "$1" >/dev/null
+    cmake --build --preset "$1" >"$build_log" || { cat "$build_log"; exit 1; }
+    grep -E 'warning:' "$build_log" || true
     ctest --preset "$1" -V >>"$log" 2>&1 || failed_presets+=("$1")
 }
 
@@ -24,6 +24,7 @@ failed_presets=()
 run_preset release
 if [ "${1:-}" != --quick ]; then
     run_preset asan-ubsan
+    run_preset tsan
     run_preset wasm
     echo "== format"
     if ! git ls-files '*.cpp' '*.h' | xargs clang-format-14 --dry-run --Werror; then failed_presets+=(format); fi
