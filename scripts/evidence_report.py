@@ -32,7 +32,7 @@ between wisps off, isotropic (every contact a dissipative collision), and as in 
 `mane check`, which measures the figures here from the stored frames with its own geometry ([check.md](check.md)).
 
 - **Area kept**: of all sections over the design's; mean over frames, and the least of any frame. The paper's *volume*.
-- **Crossings**: other segments that a segment intersects and that lie across it by more than 30°. 
+- **Crossings**: other segments that a segment intersects and that lie across it by more than 30°.
 - **Passages**: times per wisp and second that its axis goes through another's that lies across it. Wisps of different orientation stay apart where there are few.
 - **Partings**: neighbours are wisps whose outer halves touch in the design; there is a parting where their outer halves intersect nowhere. Given is the share of
   neighbours with a parting, and the share of partings that are there half a second later. If partings came and went by chance, the second would equal the first.
