@@ -72,12 +72,14 @@ std::vector<Column> difference(const Statistics& before, const Statistics& now) 
 std::vector<Column> contact_table(const std::vector<Contact>& contacts) {
     const auto whole = [&](const char* name, auto&& of) {
         std::vector<std::uint32_t> column;
+        column.reserve(contacts.size());
         for (const Contact& c : contacts)
             column.push_back(static_cast<std::uint32_t>(of(c)));
         return Column{name, "1", std::move(column)};
     };
     const auto real = [&](const char* name, const char* unit, auto&& of) {
         std::vector<float> column;
+        column.reserve(contacts.size());
         for (const Contact& c : contacts)
             column.push_back(of(c));
         return Column{name, unit, std::move(column)};

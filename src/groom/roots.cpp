@@ -78,6 +78,7 @@ std::vector<std::size_t> farthest_first(const std::vector<ScalpPoint>& from, std
 void relax(const std::vector<Vec3d>& from, const NearestPoint& nearest_from,
            std::vector<std::size_t>& chosen) {
     std::vector<Vec3d> position;
+    position.reserve(chosen.size());
     for (const std::size_t c : chosen)
         position.push_back(from[c]);
     const NearestPoint owner(position);
@@ -105,6 +106,7 @@ std::vector<ScalpPoint> spread_roots(const Mesh& mesh, std::span<const std::uint
         return from;
     std::vector<std::size_t> chosen = farthest_first(from, count);
     std::vector<Vec3d> position;
+    position.reserve(from.size());
     for (const ScalpPoint& p : from)
         position.push_back(p.position);
     const NearestPoint nearest(position);
