@@ -46,7 +46,8 @@ void add_simulate(CLI::App& app, Run& run) {
                         "preset of the rates: default, paper, fine, paper-literal");
     command->add_option("--stats", o.statistics, "write the statistics as JSON")
         ->type_name("FILE.json");
-    command->add_flag("--record", o.record, "also store the contacts, times and counts of every frame");
+    command->add_flag("--record", o.record,
+                      "also store the contacts, times and counts of every frame");
     command->callback([&run] { run = [] { return simulate(o); }; });
 }
 

@@ -149,7 +149,8 @@ TEST_CASE("the core answers a list of contacts as the twin does, by either rule"
                        .wisps = static_cast<std::uint32_t>(1 + seed % 33),
                        .points = static_cast<std::uint32_t>(3 + seed % 6),
                        .most_sections = 8});
-            const std::vector<reference::Contact> contacts = random_contacts(both.twin, 1 + seed, seed);
+            const std::vector<reference::Contact> contacts =
+                random_contacts(both.twin, 1 + seed, seed);
             const float time = seed % 3 || literal ? 1.0f / 120 : 0.001f;
             const reference::Hair before = both.twin;
             respond(both.twin, contacts, desc, double{time});
