@@ -16,4 +16,8 @@ double cube_root(double x);
 
 inline constexpr double kPi = 3.14159265358979323846;
 
+inline double sine_of_degrees(double degrees) {
+    return sine(degrees * (kPi / 180));
+}
+
 } // namespace mane

@@ -15,9 +15,8 @@ struct InstructionSet {
 /// InputError for one that this machine or build does not have.
 InstructionSet instruction_set(const std::string& name);
 
-/// Makes Highway's dynamic dispatch choose `set` while `dispatch` runs, and returns its answer.
-/// Highway keeps one choice per process; it is borrowed here only to read a table of kernels, one
-/// caller at a time.
+/// While it lives, Highway's dynamic dispatch chooses `set`. Highway keeps one choice per process;
+/// it is borrowed here only to read a table of kernels, one caller at a time.
 class ChosenInstructionSet {
   public:
     explicit ChosenInstructionSet(const InstructionSet& set);

@@ -1,6 +1,6 @@
 #include "groom/balance.h"
 
-#include "groom/bend.h"
+#include "groom/joint.h"
 #include "groom/matrix.h"
 
 #include <cmath>
@@ -17,36 +17,23 @@ void add_stretch(std::vector<Vec3d>& force, const Shape& s, const Material& m, c
     }
 }
 
-// A moment on a segment is a couple of forces at its two ends.
+// A moment against a segment's turning is a couple of forces at its two ends.
 void add_couple(std::vector<Vec3d>& force, const Shape& s, std::size_t segment,
                 const Vec3d& moment) {
     const Vec3d f = cross(moment, s.tangent[segment]) / s.length[segment];
-    force[segment + 1] += f;
-    force[segment] -= f;
+    force[segment + 1] -= f;
+    force[segment] += f;
 }
 
 void add_bending(std::vector<Vec3d>& force, const Shape& s, const Rest& rest) {
-    double twist_after = 0;
+    double twist = 0;
     for (std::size_t i = s.segments() - 1; i >= 1; --i) {
-        const Bend bend = bend_between(s.tangent[i - 1], s.tangent[i]);
-        const Vec3d& n = s.normal[i];
-        const double u = bend.g * dot(bend.w, s.u[i]), v = bend.g * dot(bend.w, s.v[i]);
+        const Joint joint(s, i);
         const Vec3d off_rest =
-            s.u[i] * (u - rest.curvature_u[i]) + s.v[i] * (v - rest.curvature_v[i]);
-        const Vec3d moment = cross(n, bend_map(bend, off_rest)) * rest.bend_stiffness[i];
-        const double own_twist =
-            (rest.curvature_v[i] * u - rest.curvature_u[i] * v) * rest.bend_stiffness[i];
-        const double twist = twist_after + own_twist;
-        const Vec3d slope = holonomy_gradient(s.normal[i - 1], n) * -twist -
-                            holonomy_gradient(n, s.normal[i + 1]) * twist_after;
-        for (const std::size_t segment : {i - 1, i}) {
-            const Vec3d& t = s.tangent[segment];
-            const Vec3d turned = slope / (2 * std::fmax(dot(n, t), kLeastHalfCosine));
-            add_couple(force, s, segment,
-                       (segment == i ? moment * -1.0 : moment) + n * (own_twist / 2) +
-                           cross(turned, t));
-        }
-        twist_after = twist;
+            joint.off_rest(rest.curvature_u[i], rest.curvature_v[i]) * rest.bend_stiffness[i];
+        add_couple(force, s, i, joint.on_after(off_rest) + joint.handed_on_after(twist));
+        add_couple(force, s, i - 1, joint.on_before(off_rest) + joint.handed_on_before(twist));
+        twist += joint.twist(off_rest);
     }
 }
 
@@ -127,12 +114,9 @@ double largest_droop(const WispDesign& wisp, const Vec3d& gravity) {
     const Shape shape = make_shape(position, Vec3d(wisp.first_axis));
     const Rest rest = make_rest(wisp, shape, make_material(wisp, shape), gravity);
     double largest = 0;
-    for (std::size_t i = 1; i < shape.segments(); ++i) {
-        const Bend bend = bend_between(shape.tangent[i - 1], shape.tangent[i]);
-        const double u = bend.g * dot(bend.w, shape.u[i]) - rest.curvature_u[i],
-                     v = bend.g * dot(bend.w, shape.v[i]) - rest.curvature_v[i];
-        largest = std::fmax(largest, std::sqrt(u * u + v * v));
-    }
+    for (std::size_t i = 1; i < shape.segments(); ++i)
+        largest = std::fmax(
+            largest, length(Joint(shape, i).off_rest(rest.curvature_u[i], rest.curvature_v[i])));
     return largest;
 }
 

@@ -3,16 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace mane {
 namespace {
 
 constexpr double kPointsPerCell = 2;
-
-double squared_distance(const Vec3d& a, const Vec3d& b) {
-    return dot(a - b, a - b);
-}
 
 } // namespace
 
@@ -33,15 +28,13 @@ NearestPoint::NearestPoint(std::span<const Vec3d> points) : points_(points.begin
     const auto index = [this](const Cell& c) {
         return static_cast<std::size_t>((c.z * count_[1] + c.y) * count_[0] + c.x);
     };
-    first_.assign(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]) + 1, 0);
+    cells_.start(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]));
     for (const Vec3d& p : points_)
-        ++first_[index(cell_of(p)) + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    order_.resize(points_.size());
+        cells_.count(index(cell_of(p)));
+    order_.resize(cells_.add_up());
     for (std::uint32_t i = 0; i < points_.size(); ++i)
-        order_[first_[index(cell_of(points_[i]))]++] = i;
-    std::move_backward(first_.begin(), first_.end() - 1, first_.end());
-    first_.front() = 0;
+        order_[cells_.next(index(cell_of(points_[i])))] = i;
+    cells_.finish();
 }
 
 NearestPoint::Cell NearestPoint::cell_of(const Vec3d& p) const {
@@ -66,7 +59,7 @@ void NearestPoint::for_shell(const Cell& middle, long away, Visit&& visit) const
                 if (x < 0)
                     continue;
                 const auto c = static_cast<std::size_t>((z * count_[1] + y) * count_[0] + x);
-                for (std::uint32_t i = first_[c]; i < first_[c + 1]; ++i)
+                for (std::uint32_t i = cells_.first(c); i < cells_.last(c); ++i)
                     visit(order_[i]);
             }
         }
@@ -81,7 +74,8 @@ std::size_t NearestPoint::operator()(const Vec3d& p) const {
     const long last = std::max({count_[0], count_[1], count_[2]});
     for (long away = 0; away <= last; ++away) {
         for_shell(middle, away, [&](std::size_t i) {
-            const double d = squared_distance(p, points_[i]);
+            const Vec3d way = points_[i] - p;
+            const double d = dot(way, way);
             if (d < least || (d == least && i < best))
                 least = d, best = i;
         });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/bins.h"
 #include "mane/vec.h"
 
 #include <cstdint>
@@ -26,7 +27,8 @@ class NearestPoint {
     Vec3d low_;
     double size_ = 1;
     long count_[3] = {1, 1, 1};
-    std::vector<std::uint32_t> first_, order_; ///< per cell, and one more; points cell after cell
+    Bins cells_;
+    std::vector<std::uint32_t> order_; ///< points, cell after cell
 };
 
 } // namespace mane

@@ -1,7 +1,7 @@
 #include "groom/rest.h"
 
 #include "base/functions.h"
-#include "groom/bend.h"
+#include "groom/joint.h"
 #include "mane/error.h"
 
 #include <cmath>
@@ -49,57 +49,6 @@ void make_joints(Rest& rest, const Shape& shape, const Material& m) {
     }
 }
 
-// What a joint does to a segment beside it, per newton metre: the moment across the segment that
-// its bending spring and the twist of its rest bend take up.
-class Joint {
-  public:
-    Joint(const Shape& s, std::size_t i)
-        : tangent_(s.tangent[i]), normal_(s.normal[i]), u_(s.u[i]), v_(s.v[i]),
-          bend_(bend_between(s.tangent[i - 1], s.tangent[i])),
-          carried_(holonomy_gradient(s.normal[i - 1], s.normal[i])),
-          carried_after_(holonomy_gradient(s.normal[i], s.normal[i + 1])) {}
-
-    Vec3d curvature() const { return bend_.w * bend_.g; }
-    // The twist moment of a joint that is `off_rest` from its rest bend.
-    double twist(const Vec3d& off_rest) const {
-        const Vec3d kappa = curvature();
-        return dot(off_rest, u_) * dot(kappa, v_) - dot(off_rest, v_) * dot(kappa, u_);
-    }
-    // The moment that works against a turn of `segment` (the one after the joint for +1, before it
-    // for −1): of the joint itself, and of the twist that later joints hand on through it.
-    Vec3d own(const Vec3d& off_rest, const Vec3d& segment, double side) const {
-        const double twist_here = twist(off_rest);
-        return across(cross(normal_, bend_map(bend_, off_rest)) * side -
-                          normal_ * (twist_here / 2) + turning(carried_ * twist_here, segment),
-                      segment);
-    }
-    Vec3d handed_on(double twist_after, const Vec3d& segment) const {
-        return across(turning((carried_ + carried_after_) * twist_after, segment), segment);
-    }
-    // The `off_rest` for which `own` on the segment after is `wanted`: two equations, for its two
-    // components.
-    Vec3d solve(const Vec3d& wanted) const {
-        const Vec3d a = own(u_, tangent_, 1), b = own(v_, tangent_, 1);
-        const double determinant = dot(cross(a, b), tangent_);
-        return u_ * (dot(cross(wanted, b), tangent_) / determinant) +
-               v_ * (dot(cross(a, wanted), tangent_) / determinant);
-    }
-
-  private:
-    static Vec3d across(const Vec3d& x, const Vec3d& segment) {
-        return x - segment * dot(x, segment);
-    }
-    // The moment of a slope by the normal, on a segment that turns the normal half as much as
-    // itself.
-    Vec3d turning(const Vec3d& slope, const Vec3d& segment) const {
-        return cross(slope, segment) / (2 * std::fmax(dot(normal_, segment), kLeastHalfCosine));
-    }
-
-    Vec3d tangent_, normal_, u_, v_;
-    Bend bend_;
-    Vec3d carried_, carried_after_;
-};
-
 // From the tip to the root: the moments of the two joints of a segment, and the twist handed on
 // through them, hold it against the weight that hangs on its end. This is linear in the joint's two
 // components off rest.
@@ -110,15 +59,14 @@ void make_curvatures(Rest& rest, const Shape& shape, const std::vector<Vec3d>& w
     double twist = 0;
     for (std::size_t i = shape.segments() - 1; i >= 1; --i) {
         const Joint joint(shape, i);
-        const Vec3d &t = shape.tangent[i], &before = shape.tangent[i - 1];
-        const Vec3d needed = cross(t, weight[i]) * shape.length[i] - held_by_next;
-        const Vec3d moment = joint.solve(needed - joint.handed_on(twist, t)); // k times off rest
+        const Vec3d needed = cross(shape.tangent[i], weight[i]) * shape.length[i] - held_by_next;
+        const Vec3d off_rest = joint.solve_after(needed - joint.handed_on_after(twist));
 
-        const Vec3d curvature = joint.curvature() - moment / rest.bend_stiffness[i];
+        const Vec3d curvature = joint.curvature() - off_rest / rest.bend_stiffness[i];
         rest.curvature_u[i] = dot(curvature, shape.u[i]);
         rest.curvature_v[i] = dot(curvature, shape.v[i]);
-        held_by_next = joint.own(moment, before, -1) + joint.handed_on(twist, before);
-        twist += joint.twist(moment);
+        held_by_next = joint.on_before(off_rest) + joint.handed_on_before(twist);
+        twist += joint.twist(off_rest);
     }
 }
 

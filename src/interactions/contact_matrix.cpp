@@ -8,10 +8,6 @@
 namespace mane {
 namespace {
 
-double sine_of_degrees(double degrees) {
-    return sine(degrees * (kPi / 180));
-}
-
 /// 3τ² − 2τ³, from 0 at `low` to 1 at `high`.
 double smooth_step(double x, double low, double high) {
     const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);

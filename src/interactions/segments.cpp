@@ -24,8 +24,8 @@ Vec3 disc_extent(const Vec3& n, float r) {
     return {side(n.x), side(n.y), side(n.z)};
 }
 
-} // namespace
-
+/// The square of the depth of section coordinates (a, b) in a section with these radii:
+/// quarter-ellipses between neighbouring half lines, or their like for other K (M14a).
 float squared_depth(std::span<const HalfLine> half_lines, std::span<const float> radii, float a,
                     float b) {
     if (radii.size() == 4) { // the paper's four: the signs tell the quadrant
@@ -55,6 +55,8 @@ float squared_depth(std::span<const HalfLine> half_lines, std::span<const float>
     }
     return result;
 }
+
+} // namespace
 
 void ContactGeometry::lay_out(const HairView& hair) {
     k_ = hair.groom.envelope_points;

@@ -68,9 +68,4 @@ class ContactGeometry {
     std::vector<std::uint8_t> inside_head_; ///< per section: x₀
 };
 
-/// The square of the depth of section coordinates (a, b) in a section with these radii:
-/// quarter-ellipses between neighbouring half lines, or their like for other K (M14a).
-float squared_depth(std::span<const HalfLine> half_lines, std::span<const float> radii, float a,
-                    float b);
-
 } // namespace mane

@@ -1,10 +1,10 @@
 #include "interactions/wisp_detection.h"
 
 #include "base/functions.h"
+#include "interactions/impulse.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace mane {
 namespace {
@@ -12,11 +12,11 @@ namespace {
 constexpr std::size_t kSegmentsPerChunk = 128;
 constexpr std::size_t kContactsPerChunk = 1024;
 
-float sine_of_degrees(double degrees) {
-    return static_cast<float>(sine(degrees * (kPi / 180)));
+float sine_of(double degrees) {
+    return static_cast<float>(sine_of_degrees(degrees));
 }
-float tangent_of_degrees(double degrees) {
-    return static_cast<float>(sine(degrees * (kPi / 180)) / cosine(degrees * (kPi / 180)));
+float tangent_of(double degrees) {
+    return static_cast<float>(sine_of_degrees(degrees) / cosine(degrees * (kPi / 180)));
 }
 
 /// The closest points of two segments' axes, as places along them; only where both lie inside.
@@ -52,21 +52,23 @@ Vec3 segment_velocity(const HairView& hair, std::uint32_t segment, float s) {
            hair.state.velocity.vec(hair.layout.slot(segment + 1)) * s;
 }
 
+Vec3 point_velocity(const HairView& hair, const WispContact& contact) {
+    if (contact.point.is_axis())
+        return segment_velocity(hair, contact.section, contact.along);
+    const Slot slot = hair.layout.slot(contact.section);
+    const Vec3 velocity = hair.state.velocity.vec(slot);
+    if (!contact.point.is_envelope())
+        return velocity;
+    const std::uint32_t k = contact.point.k();
+    return velocity + half_line_direction(hair, slot, k) * hair.state.radius_rate.at(slot, k);
+}
+
 } // namespace
 
 ContactSide point_side(const HairView& hair, const WispContact& contact) {
-    if (contact.point.is_axis())
-        return {segment_direction(hair, contact.section),
-                segment_velocity(hair, contact.section, contact.along)};
-    const Slot slot = hair.layout.slot(contact.section);
-    ContactSide side{hair.frames.normal.vec(slot), hair.state.velocity.vec(slot)};
-    if (contact.point.is_envelope()) {
-        const std::uint32_t k = contact.point.k();
-        const HalfLine& d = hair.half_lines[k];
-        side.velocity += (hair.frames.u.vec(slot) * d.cosine + hair.frames.v.vec(slot) * d.sine) *
-                         hair.state.radius_rate.at(slot, k);
-    }
-    return side;
+    return {contact.point.is_axis() ? segment_direction(hair, contact.section)
+                                    : hair.frames.normal.vec(hair.layout.slot(contact.section)),
+            point_velocity(hair, contact)};
 }
 
 ContactSide segment_side(const HairView& hair, const WispContact& contact) {
@@ -76,12 +78,10 @@ ContactSide segment_side(const HairView& hair, const WispContact& contact) {
 
 WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablation,
                              const std::string& instruction_set)
-    : desc_(desc), ablation_(ablation), sine_parallel_(sine_of_degrees(desc.parallel_angle)),
-      sine_parallel_leaving_(
-          sine_of_degrees(std::min(89.f, desc.parallel_angle * desc.hysteresis))),
-      tangent_(tangent_of_degrees(desc.parallel_angle)),
-      tangent_leaving_(tangent_ * desc.hysteresis), sine_fade_(sine_of_degrees(desc.fade_angle)),
-      point_test_(point_test_for(instruction_set)) {}
+    : desc_(desc), ablation_(ablation), sine_parallel_(sine_of(desc.parallel_angle)),
+      sine_parallel_leaving_(sine_of(std::min(89.f, desc.parallel_angle * desc.hysteresis))),
+      tangent_(tangent_of(desc.parallel_angle)), tangent_leaving_(tangent_ * desc.hysteresis),
+      sine_fade_(sine_of(desc.fade_angle)), point_test_(point_test_for(instruction_set)) {}
 
 void WispDetection::detect(const HairView& hair, Threads& threads) {
     geometry_.update(hair);
@@ -245,41 +245,39 @@ void WispDetection::sort_contacts(const HairView& hair) {
     const auto place = [codes](const WispContact& c) {
         return c.section * codes + (c.point.is_axis() ? codes - 1 : c.point.code);
     };
-    first_contact_.assign(std::size_t{hair.groom.section_count()} * codes + 1, 0);
+    places_.start(std::size_t{hair.groom.section_count()} * codes);
     for (const Found& found : chunks_)
         for (const WispContact& c : found.contacts)
-            ++first_contact_[place(c) + 1];
-    std::partial_sum(first_contact_.begin(), first_contact_.end(), first_contact_.begin());
-    contacts_.resize(first_contact_.back());
+            places_.count(place(c));
+    contacts_.resize(places_.add_up());
     for (const Found& found : chunks_)
         for (const WispContact& c : found.contacts)
-            contacts_[first_contact_[place(c)]++] = c;
+            contacts_[places_.next(place(c))] = c;
+    places_.finish();
     if (!any_slender_)
         return;
     // An axis contact is told from the earlier of two segments, whichever found it.
-    for (std::size_t at = codes - 1; at + 1 < first_contact_.size(); at += codes) {
-        const auto begin = contacts_.begin() + (at == 0 ? 0 : first_contact_[at - 1]);
-        std::sort(begin, contacts_.begin() + first_contact_[at], before);
-    }
+    for (std::size_t at = codes - 1; at < places_.size(); at += codes)
+        std::sort(contacts_.begin() + places_.first(at), contacts_.begin() + places_.last(at),
+                  before);
 }
 
 /// Each pair once: those with the same lower segment side by side, then marked as they are met.
 void WispDetection::count_pairs() {
     const std::size_t sections = geometry_.section_count();
-    first_pair_.assign(sections + 1, 0);
+    lower_.start(sections);
     for (const Found& found : chunks_)
         for (const Pair& p : found.pairs)
-            ++first_pair_[p.lower + 1];
-    std::partial_sum(first_pair_.begin(), first_pair_.end(), first_pair_.begin());
-    higher_.resize(first_pair_.back());
+            lower_.count(p.lower);
+    higher_.resize(lower_.add_up());
     for (const Found& found : chunks_)
         for (const Pair& p : found.pairs)
-            higher_[first_pair_[p.lower]++] = p.higher;
+            higher_[lower_.next(p.lower)] = p.higher;
+    lower_.finish();
     met_.assign(sections, ~0u);
     intersecting_pairs_ = 0;
-    std::uint32_t i = 0;
     for (std::uint32_t lower = 0; lower < sections; ++lower)
-        for (; i < first_pair_[lower]; ++i) { // filling moved every beginning on to its end
+        for (std::uint32_t i = lower_.first(lower); i < lower_.last(lower); ++i) {
             intersecting_pairs_ += met_[higher_[i]] != lower;
             met_[higher_[i]] = lower;
         }
@@ -302,8 +300,8 @@ void WispDetection::classify(const HairView& hair, WispContact& contact,
     if (sine >= (was_friction ? sine_parallel_leaving_ : sine_parallel_))
         return;
     if (sine >= sine_fade_) {
-        const Vec3 unit = n / sine,
-                   v = point_side(hair, contact).velocity - segment_side(hair, contact).velocity;
+        const Vec3 unit = n / sine, v = point_velocity(hair, contact) -
+                                        segment_velocity(hair, contact.segment, contact.s);
         const float out = std::fabs(dot(v, unit));
         const float in = length(v - unit * dot(v, unit));
         const float slow = desc_.sliding_speed * (was_friction ? desc_.hysteresis : 1.f);

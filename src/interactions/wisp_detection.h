@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/bins.h"
 #include "base/parallel_for.h"
 #include "interactions/box_tree.h"
 #include "interactions/segments.h"
@@ -73,8 +74,9 @@ class WispDetection {
     bool any_slender_ = false;
     std::vector<Found> chunks_;
     std::vector<WispContact> contacts_, earlier_;
-    std::vector<std::uint32_t> first_contact_;             ///< scratch: per place, for sorting
-    std::vector<std::uint32_t> first_pair_, higher_, met_; ///< scratch: for counting pairs
+    Bins places_; ///< scratch, for sorting: of each section's points
+    Bins lower_;  ///< scratch, for counting pairs: by their lower segments
+    std::vector<std::uint32_t> higher_, met_;
     std::uint64_t intersecting_pairs_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "interactions/wisp_response.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace mane {
 namespace {
@@ -23,11 +22,6 @@ void for_each(Threads& threads, std::size_t count, std::size_t per_chunk, Work&&
         for (std::size_t i = chunk * per_chunk; i < last; ++i)
             work(i);
     });
-}
-
-/// Counts in [1, …] become the places where each bin begins.
-void add_up(std::vector<std::uint32_t>& counts) {
-    std::partial_sum(counts.begin(), counts.end(), counts.begin());
 }
 
 } // namespace
@@ -63,7 +57,7 @@ void WispResponse::sort_by_place(const HairView& hair, std::span<const WispConta
         const std::uint32_t second = c.point.is_axis() ? c.section + 1 : c.section;
         return hair.layout.simulated(second) || hair.layout.simulated(c.segment + 1);
     };
-    first_answer_.assign(std::size_t{hair.groom.section_count()} * places_ + 1, 0);
+    answers_at_.start(std::size_t{hair.groom.section_count()} * places_);
     std::size_t axes = 0;
     for (const WispContact& c : contacts) {
         if (!can_move(c))
@@ -71,25 +65,22 @@ void WispResponse::sort_by_place(const HairView& hair, std::span<const WispConta
         if (c.point.is_axis())
             ++axes;
         else
-            ++first_answer_[place(c.section, c.point) + 1];
+            answers_at_.count(place(c.section, c.point));
     }
-    add_up(first_answer_);
-    axes_ = first_answer_.back();
+    axes_ = answers_at_.add_up();
     contacts_.resize(axes_ + axes);
     std::size_t next_axis = axes_;
     for (const WispContact& c : contacts)
         if (can_move(c))
             contacts_[c.point.is_axis() ? next_axis++
-                                        : first_answer_[place(c.section, c.point)]++] = c;
-    // Filling moved every beginning on to its end.
-    std::move_backward(first_answer_.begin(), first_answer_.end() - 1, first_answer_.end());
-    first_answer_.front() = 0;
+                                        : answers_at_.next(place(c.section, c.point))] = c;
+    answers_at_.finish();
 }
 
 /// Sums the weights of the contacts that share a mass: each skeleton point's, an envelope point's
 /// contacts included, and each envelope point's own.
 void WispResponse::weigh() {
-    weight_.assign(first_answer_.size() - 1, 0.f);
+    weight_.assign(answers_at_.size(), 0.f);
     takes_part_.assign(weight_.size() / places_, 0);
     const auto use = [this](std::uint32_t section, float weight) {
         weight_[place(section)] += weight;
@@ -108,22 +99,20 @@ void WispResponse::weigh() {
 
 /// Segment by segment, the answers that push its ends.
 void WispResponse::share_segments() {
-    first_share_.assign(takes_part_.size() + 1, 0);
+    shares_of_.start(takes_part_.size());
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        ++first_share_[contacts_[i].segment + 1];
+        shares_of_.count(contacts_[i].segment);
         if (i >= axes_)
-            ++first_share_[contacts_[i].section + 1];
+            shares_of_.count(contacts_[i].section);
     }
-    add_up(first_share_);
-    shares_.resize(first_share_.back());
+    shares_.resize(shares_of_.add_up());
     for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
         const WispContact& c = contacts_[i];
-        shares_[first_share_[c.segment]++] = {i, c.s - 1, -c.s};
+        shares_[shares_of_.next(c.segment)] = {i, c.s - 1, -c.s};
         if (i >= axes_)
-            shares_[first_share_[c.section]++] = {i, 1 - c.along, c.along};
+            shares_[shares_of_.next(c.section)] = {i, 1 - c.along, c.along};
     }
-    std::move_backward(first_share_.begin(), first_share_.end() - 1, first_share_.end());
-    first_share_.front() = 0;
+    shares_of_.finish();
 }
 
 void WispResponse::prepare(const HairView& hair, float step, Threads& threads) {
@@ -239,7 +228,7 @@ void WispResponse::answer_wisp(const HairView& hair, std::size_t wisp, State& st
          ++s) {
         Four near = far;
         far = Four{};
-        for (std::uint32_t i = first_share_[s]; i < first_share_[s + 1]; ++i) {
+        for (std::uint32_t i = shares_of_.first(s); i < shares_of_.last(s); ++i) {
             const Four& j = impulses_[shares_[i].answer];
             near += j * four(shares_[i].near);
             far += j * four(shares_[i].far);
@@ -258,7 +247,7 @@ void WispResponse::push_section(const HairView& hair, std::uint32_t section, Fou
     float on_envelope[kMaxEnvelopePoints] = {};
     for (std::uint32_t c = 0; c < places_; ++c) {
         Four sum{};
-        for (std::uint32_t i = first_answer_[at + c]; i < first_answer_[at + c + 1]; ++i)
+        for (std::uint32_t i = answers_at_.first(at + c); i < answers_at_.last(at + c); ++i)
             sum += impulses_[i];
         on_skeleton += sum;
         if (c == 0)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/aligned.h"
+#include "base/bins.h"
 #include "base/four.h"
 #include "base/parallel_for.h"
 #include "interactions/contact_matrix.h"
@@ -73,11 +74,11 @@ class WispResponse {
     std::uint32_t places_ = 0; ///< K + 1 of a section
 
     // of a detection
-    std::vector<WispContact> contacts_;       ///< by place; those of which something can move
-    std::size_t axes_ = 0;                    ///< axis contacts come last, from here on
-    std::vector<std::uint32_t> first_answer_; ///< per place, and one more
-    std::vector<float> weight_;               ///< per place: of the contacts that share its mass
-    std::vector<std::uint32_t> first_share_;  ///< per section, and one more: as a segment
+    std::vector<WispContact> contacts_; ///< by place; those of which something can move
+    std::size_t axes_ = 0;              ///< axis contacts come last, from here on
+    Bins answers_at_;                   ///< per place, but of axis contacts
+    std::vector<float> weight_;         ///< per place: of the contacts that share its mass
+    Bins shares_of_;                    ///< per section: of the segment that begins there
     std::vector<Share> shares_;
     std::vector<std::uint8_t> takes_part_;      ///< per section
     std::vector<std::uint32_t> sections_;       ///< those that take part

@@ -47,6 +47,14 @@ Wisp bent(const SingleWisp& shape, Dice& dice, double largest, const Vec3d& axis
     return wisp;
 }
 
+/// Any rest bend at every joint.
+void bend_at_rest(Wisp& wisp, Dice& dice) {
+    for (std::size_t i = 1; i < wisp.sections(); ++i) {
+        wisp.rest_curvature_u[i] = dice.between(-3, 3);
+        wisp.rest_curvature_v[i] = dice.between(-3, 3);
+    }
+}
+
 /// What pushes skeleton point i and envelope point (i, k), from the accelerations and the inertia
 /// of M9.
 Vec3d push_on_skeleton(const Wisp& wisp, const Accelerations& a, std::size_t i) {
@@ -108,10 +116,7 @@ TEST_CASE("forces are minus the gradient of the energy: bent at rest, bent any w
     Dice dice{std::mt19937_64(2)};
     for (int trial = 0; trial < 40; ++trial) {
         Wisp wisp = bent(undamped(4), dice, 1.2);
-        for (std::size_t i = 1; i < wisp.sections(); ++i) {
-            wisp.rest_curvature_u[i] = dice.between(-3, 3);
-            wisp.rest_curvature_v[i] = dice.between(-3, 3);
-        }
+        bend_at_rest(wisp, dice);
         check_gradient(wisp);
     }
 }
@@ -163,10 +168,7 @@ TEST_CASE("the twist of bent rest shapes sums to zero too") {
     Dice dice{std::mt19937_64(7)};
     for (int trial = 0; trial < 100; ++trial) {
         Wisp wisp = bent(undamped(4), dice, 3.1);
-        for (std::size_t i = 1; i < wisp.sections(); ++i) {
-            wisp.rest_curvature_u[i] = dice.between(-3, 3);
-            wisp.rest_curvature_v[i] = dice.between(-3, 3);
-        }
+        bend_at_rest(wisp, dice);
         Vec3d sum;
         double size = 0;
         for (const Vec3d& f : skeleton_forces(wisp)) {

@@ -2,21 +2,14 @@
 /// reports of the paper's interactions, judged.
 
 #include "../formats/clip_data.h"
+#include "whole_run.h"
 
-#include "mane/cache.h"
-#include "mane/check.h"
-
-#include <doctest/doctest.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <random>
 #include <string>
 
 using namespace mane;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -38,20 +31,12 @@ std::string settings(const toml::table& clip, const std::string& file) {
     return text;
 }
 
-/// Simulates and judges one cell of the matrix; few strands are drawn, since they stay inside their
-/// wisps, which are judged whole.
+/// Simulates and judges one cell of the matrix.
 void judge(const std::string& style, const toml::table& clip) {
     const std::string data = shared_data("mocap/" + clip["file"].value<std::string>().value());
     if (data.empty())
         return;
-    const fs::path file = fs::temp_directory_path() /
-                          ("mane_clip_" + std::to_string(std::random_device{}()) + ".mane");
-    const std::string command = "'" MANE_COMMAND "' simulate '" MANE_SOURCE_DIR "/scenes/" + style +
-                                ".toml'" + settings(clip, data) + " -o '" + file.string() +
-                                "' >/dev/null";
-    REQUIRE(std::system(command.c_str()) == 0);
-    const CheckReport report = check_run(CacheReader(file), {.strands = 2000});
-    fs::remove(file);
+    const CheckReport report = simulate_and_check(style, settings(clip, data), 2000);
     CHECK(report.passed());
     for (const Criterion& c : report.criteria)
         if (c.verdict == Verdict::fail)

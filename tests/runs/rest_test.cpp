@@ -1,32 +1,16 @@
 /// Whole runs of the three styles after the character has stopped: what a user sees with
 /// `mane simulate scenes/X.toml --set motion.freeze=3` and `mane check`.
 
-#include "mane/cache.h"
-#include "mane/check.h"
-
-#include <doctest/doctest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <random>
-#include <string>
+#include "whole_run.h"
 
 using namespace mane;
-namespace fs = std::filesystem;
 
 namespace {
 
 /// Simulates a style that stops at 3 s, and judges it. Strands rest as their wisps do, so few are
 /// drawn.
 CheckReport stopped(const std::string& style) {
-    const fs::path file = fs::temp_directory_path() /
-                          ("mane_rest_" + std::to_string(std::random_device{}()) + ".mane");
-    const std::string command = "'" MANE_COMMAND "' simulate '" MANE_SOURCE_DIR "/scenes/" + style +
-                                ".toml' --set motion.freeze=3 -o '" + file.string() +
-                                "' >/dev/null";
-    REQUIRE(std::system(command.c_str()) == 0);
-    CheckReport report = check_run(CacheReader(file), {.strands = 10});
-    fs::remove(file);
+    CheckReport report = simulate_and_check(style, "--set motion.freeze=3", 10);
     for (const char* name : {"rest_speed", "still_speed", "rest_jitter"}) {
         const Criterion& c = report[name];
         MESSAGE(style << ": " << c.name << " " << 1e3 * c.value << " mm/s, bound "
