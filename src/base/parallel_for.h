@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -22,6 +23,14 @@ class Threads {
     /// Calls `body(c)` once for each c in [0, chunks), in any order, and returns when all are done.
     /// An exception thrown by the lowest failing chunk is thrown again here.
     void run(std::size_t chunks, const std::function<void(std::size_t)>& body);
+
+    /// Calls `body(first, last)` for the ranges of [0, count) that are `per_chunk` long, but for
+    /// the last, like `run`.
+    template <typename Body>
+    void run_ranges(std::size_t count, std::size_t per_chunk, Body&& body) {
+        run((count + per_chunk - 1) / per_chunk,
+            [&](std::size_t c) { body(c * per_chunk, std::min(count, (c + 1) * per_chunk)); });
+    }
 
   private:
     struct Pool;

@@ -10,6 +10,11 @@ namespace mane {
 struct Box {
     Vec3 low, high;
 
+    /// A box that holds nothing and overlaps none.
+    static Box nowhere() {
+        constexpr float kFarAway = 1e30f;
+        return {{kFarAway, kFarAway, kFarAway}, {-kFarAway, -kFarAway, -kFarAway}};
+    }
     /// Grows to hold `p`.
     void add(const Vec3& p) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};

@@ -1,7 +1,7 @@
 #include "interactions/literal_response.h"
 
+#include "interactions/contact_side.h"
 #include "interactions/impulse.h"
-#include "interactions/wisp_detection.h"
 
 #include <vector>
 

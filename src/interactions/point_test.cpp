@@ -7,6 +7,8 @@
 
 #include "base/pack-inl.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
@@ -30,6 +32,30 @@ HWY_INLINE Mask in_box(const Box& box, const Pack3& p) {
     return both(x, both(y, z));
 }
 
+/// One end of a segment's volume.
+struct VolumeEnd {
+    Vec3 x, normal, u, v;
+    float radius[kMaxEnvelopePoints];
+    float area, rest_area;
+
+    VolumeEnd(const ContactPoints& points, std::uint32_t rank)
+        : x(first_three(points.position[rank])), normal(first_three(points.normal[rank])),
+          u(first_three(points.half_line[points.place(rank, 1)])),
+          v(first_three(points.second_axis[rank])), area(points.area[rank]),
+          rest_area(points.rest_area[rank]) {
+        for (std::uint32_t code = 1; code < points.per_section; ++code)
+            radius[code - 1] = points.radius[points.place(rank, code)];
+    }
+};
+/// The volume between two cross-sections, inside its box (M21).
+struct SegmentVolume {
+    VolumeEnd end[2];
+    Box box;
+
+    SegmentVolume(const ContactPoints& points, std::uint32_t rank)
+        : end{{points, rank}, {points, points.order.next(rank)}}, box(segment_box(points, rank)) {}
+};
+
 HWY_INLINE Pack mixed(float a, float b, Pack s) {
     return Pack(a) + Pack(b - a) * s;
 }
@@ -41,8 +67,8 @@ HWY_INLINE Pack radius_at(const SegmentVolume& v, std::size_t k, Pack s) {
 }
 
 /// The square of the depth of section coordinates (a, b) at s (M14a).
-HWY_INLINE Pack squared_depth_at(const SegmentVolume& volume, std::span<const HalfLine> half_lines,
-                                 Pack a, Pack b, Pack s) {
+HWY_INLINE Pack squared_depth_at(const SegmentVolume& volume,
+                                 const std::vector<HalfLine>& half_lines, Pack a, Pack b, Pack s) {
     const Pack zero(0.f);
     if (half_lines.size() == 4) { // the paper's four: the signs tell the quadrant
         const Pack p = a / select(a < zero, radius_at(volume, 2, s), radius_at(volume, 0, s)),
@@ -73,7 +99,7 @@ struct Inside {
     Pack s, depth;
     Mask holds;
 };
-HWY_INLINE Inside inside(const SegmentVolume& volume, std::span<const HalfLine> half_lines,
+HWY_INLINE Inside inside(const SegmentVolume& volume, const std::vector<HalfLine>& half_lines,
                          const Pack3& p, Mask boxed) {
     const VolumeEnd &a = volume.end[0], &b = volume.end[1];
     const Pack h0 = dot(p - broadcast(a.x), broadcast(a.normal)),
@@ -155,7 +181,7 @@ std::size_t overlapping(const BoxTree& tree, const Box& box, std::uint32_t* item
         now.left &= now.left - 1;
         if (level == 0) {
             if (count < capacity)
-                items[count] = tree.item(now.node, child);
+                items[count] = now.node * kLanes + child;
             ++count;
         } else {
             const std::uint32_t node = now.node * kLanes + child;
@@ -165,75 +191,170 @@ std::size_t overlapping(const BoxTree& tree, const Box& box, std::uint32_t* item
     }
 }
 
+using Whole = hn::RebindToSigned<Tag>;
+
+HWY_INLINE hn::Vec<Whole> whole(std::uint32_t x) {
+    return hn::Set(Whole(), static_cast<std::int32_t>(x));
+}
+/// first, first + 1, … (Highway's own writes them one by one and waits for them.)
+HWY_INLINE hn::Vec<Whole> counting_from(std::uint32_t first) {
+    alignas(64) static constexpr std::int32_t kCounting[kLanes] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                                   8, 9, 10, 11, 12, 13, 14, 15};
+    return hn::Add(hn::Load(Whole(), kCounting), whole(first));
+}
+
 /// Points that wait for the test: those in the box, a few vectors of them.
 struct Waiting {
     static constexpr std::size_t kMost = 256;
-    alignas(64) float x[kMost + kLanes], y[kMost + kLanes], z[kMost + kLanes];
-    std::int32_t point[kMost + kLanes];
+    alignas(64) float x[kMost + 2 * kLanes], y[kMost + 2 * kLanes], z[kMost + 2 * kLanes];
+    std::int32_t point[kMost + 2 * kLanes]; // rank · 16 + code
     std::size_t count = 0;
 };
 
-HWY_INLINE void wait_if_boxed(const SegmentVolume& volume, const SectionPoints& points,
-                              std::uint32_t section, Waiting& waiting) {
+HWY_INLINE void wait_if_boxed(const Box& box, const ContactPoints& points, std::uint32_t rank,
+                              std::uint32_t code, Mask of_others, Waiting& waiting) {
     const Tag tag;
-    const hn::RebindToSigned<Tag> integers;
-    for (std::uint32_t c = 0; c < points.per_section; c += static_cast<std::uint32_t>(kPackLanes)) {
-        const std::uint32_t first = section * points.per_section + c;
-        const Pack3 p{hn::LoadU(tag, points.x + first), hn::LoadU(tag, points.y + first),
-                      hn::LoadU(tag, points.z + first)};
-        const auto of_section = hn::FirstN(tag, points.per_section - c);
-        const Mask boxed = both({of_section}, in_box(volume.box, p));
-        if (none(boxed))
-            continue;
-        hn::CompressStore(p.x.v, boxed.m, tag, waiting.x + waiting.count);
-        hn::CompressStore(p.y.v, boxed.m, tag, waiting.y + waiting.count);
-        hn::CompressStore(p.z.v, boxed.m, tag, waiting.z + waiting.count);
-        waiting.count += hn::CompressStore(hn::Iota(integers, static_cast<std::int32_t>(first)),
-                                           hn::RebindMask(integers, boxed.m), integers,
-                                           waiting.point + waiting.count);
-    }
+    const std::uint32_t place = points.place(rank, code);
+    const Pack3 p{Pack::load(points.x.data() + place), Pack::load(points.y.data() + place),
+                  Pack::load(points.z.data() + place)};
+    const Mask boxed = both(of_others, in_box(box, p));
+    if (none(boxed))
+        return;
+    hn::CompressStore(p.x.v, boxed.m, tag, waiting.x + waiting.count);
+    hn::CompressStore(p.y.v, boxed.m, tag, waiting.y + waiting.count);
+    hn::CompressStore(p.z.v, boxed.m, tag, waiting.z + waiting.count);
+    const auto point = hn::Add(hn::ShiftLeft<4>(counting_from(rank)), whole(code));
+    waiting.count += hn::CompressStore(point, hn::RebindMask(Whole(), boxed.m), Whole(),
+                                       waiting.point + waiting.count);
 }
 
-std::size_t test_waiting(const SegmentVolume& volume, std::span<const HalfLine> half_lines,
-                         Waiting& waiting, PointInside* found) {
-    std::size_t count = 0;
+/// The lanes, from rank `first` on, that are neither `a` nor `b`.
+HWY_INLINE Mask none_of(std::uint32_t first, std::uint32_t a, std::uint32_t b) {
+    const auto rank = counting_from(first);
+    const auto other = [&](std::uint32_t r) { return hn::Ne(rank, whole(r)); };
+    return {hn::RebindMask(Tag(), hn::And(other(a), other(b)))};
+}
+
+HWY_INLINE void test_waiting(const SegmentVolume& volume, const std::vector<HalfLine>& half_lines,
+                             Waiting& waiting, PointsInside& found) {
+    const Tag tag;
+    found.reserve(waiting.count);
     for (std::size_t first = 0; first < waiting.count; first += kPackLanes) {
         const Pack3 p{Pack::load(waiting.x + first), Pack::load(waiting.y + first),
                       Pack::load(waiting.z + first)};
-        const Mask real = {hn::FirstN(Tag(), waiting.count - first)};
+        const Mask real = {hn::FirstN(tag, waiting.count - first)};
         const Inside in = inside(volume, half_lines, p, real);
-        std::uint32_t bits = bits_of(in.holds);
-        if (bits == 0)
+        if (none(in.holds))
             continue;
-        alignas(64) float s[kPackLanes], depth[kPackLanes], density[kPackLanes];
-        in.s.store(s);
-        in.depth.store(depth);
-        density_at(volume, in.s).store(density);
-        for (; bits != 0; bits &= bits - 1) {
-            const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
-            found[count++] = {static_cast<std::uint32_t>(waiting.point[first + i]), s[i], depth[i],
-                              density[i]};
-        }
+        const auto append = [&](Pack value, AlignedVector<float>& target) {
+            hn::CompressStore(value.v, in.holds.m, tag, target.data() + found.count);
+        };
+        append(in.s, found.s);
+        append(in.depth, found.depth);
+        append(density_at(volume, in.s), found.density);
+        found.count += hn::CompressStore(
+            hn::LoadU(Whole(), waiting.point + first), hn::RebindMask(Whole(), in.holds.m), Whole(),
+            reinterpret_cast<std::int32_t*>(found.point.data()) + found.count);
     }
     waiting.count = 0;
-    return count;
 }
 
-std::size_t find(const SegmentVolume& volume, std::span<const HalfLine> half_lines,
-                 const SectionPoints& points, std::span<const std::uint32_t> sections,
-                 PointInside* found) {
-    std::size_t count = 0;
+void find(const ContactPoints& points, std::uint32_t rank, std::span<const std::uint32_t> bunches,
+          PointsInside& found) {
+    const SegmentVolume volume(points, rank);
+    const std::uint32_t next = points.order.next(rank);
     Waiting waiting;
-    for (const std::uint32_t section : sections) {
-        wait_if_boxed(volume, points, section, waiting);
-        if (waiting.count + points.per_section > Waiting::kMost)
-            count += test_waiting(volume, half_lines, waiting, found + count);
+    for (const std::uint32_t bunch : bunches)
+        for (std::uint32_t code = 0; code < points.per_section; ++code)
+            for (std::uint32_t lane = 0; lane < kLanes; lane += kPackLanes) {
+                const std::uint32_t first = bunch * kLanes + lane;
+                wait_if_boxed(volume.box, points, first, code, none_of(first, rank, next), waiting);
+                if (waiting.count + kPackLanes > Waiting::kMost)
+                    test_waiting(volume, points.half_lines, waiting, found);
+            }
+    test_waiting(volume, points.half_lines, waiting, found);
+}
+
+void hulls(const ContactPoints& points, Box* hulls, std::size_t first, std::size_t last) {
+    const std::size_t count = std::size_t{points.per_section} * kLanes;
+    for (std::size_t b = first; b < last; ++b) {
+        const auto least_most = [&](const AlignedVector<float>& x, float& least, float& most) {
+            const float* at = x.data() + b * count;
+            // Points that are nowhere count for neither.
+            Pack low(Box::nowhere().low.x), high(Box::nowhere().high.x);
+            for (std::size_t i = 0; i < count; i += kPackLanes) {
+                const Pack p = Pack::load(at + i);
+                low = smaller(low, p);
+                high = select(p < Pack(Box::nowhere().low.x), larger(high, p), high);
+            }
+            least = hn::GetLane(hn::MinOfLanes(Tag(), low.v));
+            most = hn::GetLane(hn::MaxOfLanes(Tag(), high.v));
+        };
+        Box& box = hulls[b];
+        least_most(points.x, box.low.x, box.high.x);
+        least_most(points.y, box.low.y, box.high.y);
+        least_most(points.z, box.low.z, box.high.z);
     }
-    return count + test_waiting(volume, half_lines, waiting, found + count);
+}
+
+/// Vectors from wherever they are.
+HWY_INLINE Pack3 gather(const AlignedVector<Four>& vectors, hn::Vec<Whole> at) {
+    const auto index = hn::ShiftLeft<2>(at);
+    const float* base = reinterpret_cast<const float*>(vectors.data());
+    return {hn::GatherIndex(Tag(), base, index), hn::GatherIndex(Tag(), base + 1, index),
+            hn::GatherIndex(Tag(), base + 2, index)};
+}
+
+/// The place of rank · 16 + code.
+HWY_INLINE hn::Vec<Whole> place_of(const ContactPoints& points, hn::Vec<Whole> point) {
+    const auto low = whole(15);
+    const auto bunch = hn::ShiftRight<8>(point), lane = hn::And(hn::ShiftRight<4>(point), low),
+               code = hn::And(point, low);
+    return hn::Add(hn::ShiftLeft<4>(hn::Add(hn::Mul(bunch, whole(points.per_section)), code)),
+                   lane);
+}
+
+/// Whether quasi-parallel by one set of limits (M23).
+HWY_INLINE Mask parallel(const ParallelLimits& limits, std::size_t i, Pack sine, Pack out,
+                         Pack in) {
+    const Mask aligned = sine < Pack(limits.sine[i]);
+    const Mask no_plane = sine < Pack(limits.sine_fade);
+    const Mask leaves = out > larger(Pack(limits.tangent[i]) * in, Pack(limits.speed[i]));
+    return {hn::And(aligned.m, hn::Or(no_plane.m, hn::Not(leaves.m)))};
+}
+
+void classify(const ContactPoints& points, std::uint32_t rank, const ParallelLimits& limits,
+              PointsInside& found, std::size_t first) {
+    const std::uint32_t next = points.order.next(rank);
+    const Pack3 axis = broadcast(first_three(points.direction[rank])),
+                near = broadcast(first_three(points.velocity[points.place(rank)])),
+                far = broadcast(first_three(points.velocity[points.place(next)]));
+    const hn::RebindToUnsigned<Tag> whole;
+    for (std::size_t i = first; i < found.count; i += kPackLanes) {
+        const auto real = hn::FirstN(Whole(), found.count - i);
+        const auto point = hn::IfThenElseZero(
+            real,
+            hn::LoadU(Whole(), reinterpret_cast<const std::int32_t*>(found.point.data()) + i));
+        const Pack3 n = cross(gather(points.normal, hn::ShiftRight<4>(point)), axis);
+        const Pack sine = square_root(dot(n, n));
+        const Pack s = hn::LoadU(Tag(), found.s.data() + i);
+        const Pack3 v =
+            gather(points.velocity, place_of(points, point)) - near * (Pack(1.f) - s) - far * s;
+        const Pack3 unit = n * (Pack(1.f) / larger(sine, Pack(1e-30f)));
+        const Pack across = dot(v, unit);
+        const Pack3 in_plane = v - unit * across;
+        const Pack out = absolute(across), in = square_root(dot(in_plane, in_plane));
+        const auto flag = [&](std::size_t which, std::uint32_t bit) {
+            return hn::IfThenElseZero(
+                hn::RebindMask(whole, parallel(limits, which, sine, out, in).m),
+                hn::Set(whole, bit));
+        };
+        hn::StoreU(hn::Or(flag(0, 1), flag(1, 2)), whole, found.parallel.data() + i);
+    }
 }
 
 PointTest point_test() {
-    return {overlapping, find};
+    return {hulls, overlapping, find, classify};
 }
 
 } // namespace mane::HWY_NAMESPACE

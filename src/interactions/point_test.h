@@ -1,57 +1,70 @@
 #pragma once
 
 #include "interactions/box_tree.h"
-#include "model/state.h"
+#include "interactions/contact_points.h"
 
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace mane {
 
 inline constexpr float kSmallestRadius = 1e-6f; ///< [m] a section squeezed flat still has a depth
 
-/// One end of a segment's volume.
-struct VolumeEnd {
-    Vec3 x, normal, u, v;
-    float radius[kMaxEnvelopePoints] = {};
-    float area = 0, rest_area = 0;
-};
-/// The volume between two cross-sections, inside its box (M21).
-struct SegmentVolume {
-    VolumeEnd end[2];
-    Box box;
+/// Points inside a segment's volume, side by side, with room for sixteen more.
+struct PointsInside {
+    std::size_t count = 0;
+    AlignedVector<std::uint32_t> point; ///< rank · 16 + code
+    AlignedVector<float> s;             ///< along the segment, 0 to 1
+    AlignedVector<float> depth;         ///< 0 on the skeleton, 1 on the envelope's surface
+    AlignedVector<float> density;       ///< of strands there, relative to rest, at most 10
+    /// Whether they are quasi-parallel by the limits of entering (1) and of leaving (2).
+    AlignedVector<std::uint32_t> parallel;
+
+    /// Makes room for so many more.
+    void reserve(std::size_t more) {
+        const std::size_t room = count + more + kLanes;
+        if (point.size() >= room)
+            return;
+        point.resize(2 * room);
+        parallel.resize(2 * room);
+        for (AlignedVector<float>* numbers : {&s, &depth, &density})
+            numbers->resize(2 * room);
+    }
 };
 
-/// The points of sections: of each its skeleton point, then its K envelope points, `per_section` in
-/// all. Each array has sixteen numbers to spare at its end.
-struct SectionPoints {
-    const float *x = nullptr, *y = nullptr, *z = nullptr;
-    std::uint32_t per_section = 0;
-};
-
-/// A point inside a segment's volume.
-struct PointInside {
-    std::uint32_t point = 0; ///< section · per_section + code
-    float s = 0;             ///< along the segment, 0 to 1
-    float depth = 0;         ///< 0 on the skeleton, 1 on the envelope's surface
-    float density = 1;       ///< of strands there, relative to rest, at most 10
+/// The limits within which two wisps are quasi-parallel (M23); [0] of entering, [1] of leaving.
+struct ParallelLimits {
+    float sine[2] = {}, tangent[2] = {}, speed[2] = {};
+    float sine_fade = 0; ///< under it their plane is undefined, and only the first counts
 };
 
 /// The search for points inside a segment's volume, compiled once per instruction set. All give the
 /// same bits.
 struct PointTest {
-    /// Writes the items whose boxes overlap `box`, as far as they fit into `capacity`, and returns
-    /// how many they are.
+    /// The boxes of all points of bunches [first, last).
+    void (*hulls)(const ContactPoints& points, Box* hulls, std::size_t first, std::size_t last);
+    /// Writes the items whose boxes overlap `box`, in rising order, as far as they fit into
+    /// `capacity`, and returns how many they are.
     std::size_t (*overlapping)(const BoxTree& tree, const Box& box, std::uint32_t* items,
                                std::size_t capacity);
-    /// Finds the points of `sections` that are inside; `found` has room for all of them. Returns
-    /// how many are, in the order of sections.
-    std::size_t (*find)(const SegmentVolume& volume, std::span<const HalfLine> half_lines,
-                        const SectionPoints& points, std::span<const std::uint32_t> sections,
-                        PointInside* found);
+    /// Appends the points of `bunches` inside the volume of the segment that begins at `rank`, but
+    /// for its own two sections', in the order of bunches, codes and ranks.
+    void (*find)(const ContactPoints& points, std::uint32_t rank,
+                 std::span<const std::uint32_t> bunches, PointsInside& found);
+    /// Tells which of them, from `first` on, are quasi-parallel to it.
+    void (*classify)(const ContactPoints& points, std::uint32_t rank, const ParallelLimits& limits,
+                     PointsInside& found, std::size_t first);
 };
 /// For an instruction set by name, or the machine's best for "".
 PointTest point_test_for(const std::string& instruction_set);
+
+/// The box of the segment that begins at `rank`: that of its two sections' largest discs.
+inline Box segment_box(const ContactPoints& points, std::uint32_t rank) {
+    const std::uint32_t next = points.order.next(rank);
+    return {first_three(smaller(points.low[rank], points.low[next])),
+            first_three(larger(points.high[rank], points.high[next]))};
+}
 
 } // namespace mane

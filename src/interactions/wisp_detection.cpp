@@ -1,7 +1,7 @@
 #include "interactions/wisp_detection.h"
 
 #include "base/functions.h"
-#include "interactions/impulse.h"
+#include "interactions/axis_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace mane {
 namespace {
 
 constexpr std::size_t kSegmentsPerChunk = 128;
-constexpr std::size_t kContactsPerChunk = 1024;
+constexpr std::size_t kBunchesPerChunk = 64;
 
 float sine_of(double degrees) {
     return static_cast<float>(sine_of_degrees(degrees));
@@ -19,19 +19,16 @@ float tangent_of(double degrees) {
     return static_cast<float>(sine_of_degrees(degrees) / cosine(degrees * (kPi / 180)));
 }
 
-/// The closest points of two segments' axes, as places along them; only where both lie inside.
-struct ClosestPoints {
-    float s = 0, t = 0;
-    bool inside = false;
-};
-ClosestPoints closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-    const Vec3 d = a1 - a0, e = b1 - b0, r = a0 - b0;
-    const float dd = dot(d, d), ee = dot(e, e), de = dot(d, e), dr = dot(d, r), er = dot(e, r);
-    const float det = dd * ee - de * de;
-    if (!(det > 0))
-        return {};
-    const float s = (de * er - ee * dr) / det, t = (dd * er - de * dr) / det;
-    return {s, t, s > 0 && s < 1 && t > 0 && t < 1};
+ParallelLimits limits_of(const WispContactDesc& desc) {
+    ParallelLimits limits;
+    limits.sine[0] = sine_of(desc.parallel_angle);
+    limits.sine[1] = sine_of(std::min(89.f, desc.parallel_angle * desc.hysteresis));
+    limits.tangent[0] = tangent_of(desc.parallel_angle);
+    limits.tangent[1] = limits.tangent[0] * desc.hysteresis;
+    limits.speed[0] = desc.sliding_speed;
+    limits.speed[1] = desc.sliding_speed * desc.hysteresis;
+    limits.sine_fade = sine_of(desc.fade_angle);
+    return limits;
 }
 
 /// A contact begins with nothing at the surface and counts in full where it is deeper than this:
@@ -42,106 +39,130 @@ float weight_at(float depth) {
     return std::clamp((1 - depth) / (1 - kFullDepth), 1e-3f, 1.f);
 }
 
-Vec3 segment_direction(const HairView& hair, std::uint32_t segment) {
-    return normalized(hair.state.position.vec(hair.layout.slot(segment + 1)) -
-                      hair.state.position.vec(hair.layout.slot(segment)));
+std::size_t chunks_of(std::size_t things, std::size_t per_chunk) {
+    return (things + per_chunk - 1) / per_chunk;
 }
 
-Vec3 segment_velocity(const HairView& hair, std::uint32_t segment, float s) {
-    return hair.state.velocity.vec(hair.layout.slot(segment)) * (1 - s) +
-           hair.state.velocity.vec(hair.layout.slot(segment + 1)) * s;
-}
+/// A segment's contacts at the last detection, gone through along with those of now.
+class Earlier {
+  public:
+    Earlier(const ContactPoints& points, std::span<const WispContact> contacts)
+        : points_(points), contacts_(contacts) {}
 
-Vec3 point_velocity(const HairView& hair, const WispContact& contact) {
-    if (contact.point.is_axis())
-        return segment_velocity(hair, contact.section, contact.along);
-    const Slot slot = hair.layout.slot(contact.section);
-    const Vec3 velocity = hair.state.velocity.vec(slot);
-    if (!contact.point.is_envelope())
-        return velocity;
-    const std::uint32_t k = contact.point.k();
-    return velocity + half_line_direction(hair, slot, k) * hair.state.radius_rate.at(slot, k);
-}
+    /// Whether the contact of a point was friction; asked for points by rising place.
+    bool friction(std::uint32_t place) {
+        while (next_ < contacts_.size() && place_of(contacts_[next_]) < place)
+            ++next_;
+        return next_ < contacts_.size() && contacts_[next_].kind == WispContactKind::friction &&
+               place_of(contacts_[next_]) == place;
+    }
+
+  private:
+    std::uint32_t place_of(const WispContact& c) const {
+        return points_.place(points_.order.rank(c.section), c.point.code);
+    }
+
+    const ContactPoints& points_;
+    std::span<const WispContact> contacts_;
+    std::size_t next_ = 0;
+};
 
 } // namespace
 
-ContactSide point_side(const HairView& hair, const WispContact& contact) {
-    return {contact.point.is_axis() ? segment_direction(hair, contact.section)
-                                    : hair.frames.normal.vec(hair.layout.slot(contact.section)),
-            point_velocity(hair, contact)};
-}
-
-ContactSide segment_side(const HairView& hair, const WispContact& contact) {
-    return {segment_direction(hair, contact.segment),
-            segment_velocity(hair, contact.segment, contact.s)};
-}
-
 WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablation,
                              const std::string& instruction_set)
-    : desc_(desc), ablation_(ablation), sine_parallel_(sine_of(desc.parallel_angle)),
-      sine_parallel_leaving_(sine_of(std::min(89.f, desc.parallel_angle * desc.hysteresis))),
-      tangent_(tangent_of(desc.parallel_angle)), tangent_leaving_(tangent_ * desc.hysteresis),
-      sine_fade_(sine_of(desc.fade_angle)), point_test_(point_test_for(instruction_set)) {}
+    : desc_(desc), ablation_(ablation), limits_(limits_of(desc)),
+      point_test_(point_test_for(instruction_set)) {}
 
-void WispDetection::detect(const HairView& hair, Threads& threads) {
-    geometry_.update(hair);
-    if (section_tree_.size() == 0)
-        arrange(hair);
-    section_tree_.update(geometry_.point_boxes());
-    find_slender();
-    const std::size_t segments = geometry_.segments().size();
-    chunks_.resize((segments + kSegmentsPerChunk - 1) / kSegmentsPerChunk);
-    threads.run(chunks_.size(), [&](std::size_t c) {
-        chunks_[c].contacts.clear();
-        chunks_[c].pairs.clear();
-        const std::size_t first = c * kSegmentsPerChunk,
-                          last = std::min(segments, first + kSegmentsPerChunk);
-        for (std::size_t i = first; i < last; ++i)
-            test_points(hair, i, chunks_[c]);
-        for (std::size_t i = first; any_slender_ && i < last; ++i)
-            test_axes(hair, i, chunks_[c]);
-    });
+void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads) {
+    if (segments_.empty()) {
+        for (std::uint32_t r = 0; r < points.order.size(); ++r)
+            if (points.order.next(r) != ContactOrder::kNone &&
+                hair.layout.simulated(points.order.section(r) + 1))
+                segments_.push_back(r);
+        first_.assign(segments_.size() + 1, 0);
+        earlier_first_ = first_;
+    }
+    place_boxes(points, threads);
     std::swap(contacts_, earlier_);
-    sort_contacts(hair);
-    classify_all(hair, threads);
-    count_pairs();
+    std::swap(first_, earlier_first_);
+    earlier_axes_ = axes_;
+    chunks_.resize(chunks_of(segments_.size(), kSegmentsPerChunk));
+    threads.run(chunks_.size(), [&](std::size_t c) { find_chunk(hair, points, c); });
+    collect(points, threads);
+    count_pairs(points.order.size());
 }
 
-/// The points of other wisps in a segment, and of its own those whose section belongs to a segment
-/// that shares no section with it (M21, M22).
-void WispDetection::test_points(const HairView& hair, std::size_t segment_index,
-                                Found& found) const {
-    const std::uint32_t segment = geometry_.segments()[segment_index];
-    const std::span<const std::uint32_t> candidates =
-        overlapping(section_tree_, geometry_.boxes()[segment_index], found);
-    const SectionPoints points = geometry_.points();
-    if (found.inside.size() < candidates.size() * points.per_section)
-        found.inside.resize(candidates.size() * points.per_section);
-    const std::size_t count = point_test_.find(geometry_.volume(segment_index), hair.half_lines,
-                                               points, candidates, found.inside.data());
+void WispDetection::place_boxes(const ContactPoints& points, Threads& threads) {
+    boxes_.resize(points.bunches());
+    threads.run(chunks_of(boxes_.size(), kBunchesPerChunk), [&](std::size_t c) {
+        point_test_.hulls(points, boxes_.data(), c * kBunchesPerChunk,
+                          std::min(boxes_.size(), (c + 1) * kBunchesPerChunk));
+    });
+    bunch_tree_.update(boxes_);
 
-    std::uint32_t paired = ~0u; // points of a section follow each other
-    for (std::size_t i = 0; i < count; ++i) {
-        const PointInside& point = found.inside[i];
-        const std::uint32_t section = point.point / points.per_section;
-        const Belongs belongs = belongs_to(hair, section, segment);
-        if (!belongs.before && !belongs.after)
-            continue;
-        found.contacts.push_back(
-            {.section = section,
-             .point = {static_cast<std::uint8_t>(point.point % points.per_section)},
-             .segment = segment,
-             .s = point.s,
-             .density = point.density,
-             .weight = weight_at(point.depth)});
-        if (section != paired) {
-            if (belongs.before)
-                found.pairs.push_back(Pair::of(section - 1, segment));
-            if (belongs.after)
-                found.pairs.push_back(Pair::of(section, segment));
+    const auto slender = [&](std::uint32_t rank) {
+        return points.slenderness[rank] > desc_.axis_contact_ratio;
+    };
+    any_slender_ = std::any_of(segments_.begin(), segments_.end(), slender);
+    if (!any_slender_)
+        return;
+    boxes_.assign(points.order.size(), Box::nowhere());
+    for (const std::uint32_t rank : segments_)
+        boxes_[rank] = segment_box(points, rank);
+    segment_tree_.update(boxes_);
+}
+
+void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points,
+                               std::size_t chunk) {
+    Found& found = chunks_[chunk];
+    found.contacts.clear();
+    found.axes.clear();
+    found.pairs.clear();
+    const std::size_t last = std::min(segments_.size(), (chunk + 1) * kSegmentsPerChunk);
+    for (std::size_t i = chunk * kSegmentsPerChunk; i < last; ++i) {
+        const std::uint32_t rank = segments_[i], segment = points.order.section(rank);
+        const std::size_t before = found.contacts.size();
+        find_points(hair, points, rank, found);
+        Earlier earlier(points, std::span(earlier_).subspan(
+                                    earlier_first_[i], earlier_first_[i + 1] - earlier_first_[i]));
+        std::uint32_t counted = ~0u; // points of a section often follow each other
+        for (std::size_t p = 0; p < found.inside.count; ++p) {
+            const std::uint32_t point = found.inside.point[p], at = point / 16, code = point % 16,
+                                section = points.order.section(at);
+            const Belongs belongs = belongs_to(hair, section, segment);
+            if (!belongs.before && !belongs.after)
+                continue;
+            const bool was = earlier.friction(points.place(at, code));
+            const bool parallel = desc_.mode != WispContactMode::isotropic &&
+                                  (found.inside.parallel[p] & (was ? 2 : 1));
+            found.contacts.push_back(
+                {.section = section,
+                 .point = {static_cast<std::uint8_t>(code)},
+                 .kind = parallel ? WispContactKind::friction : WispContactKind::collision,
+                 .segment = segment,
+                 .s = found.inside.s[p],
+                 .density = found.inside.density[p],
+                 .weight = weight_at(found.inside.depth[p])});
+            if (section != counted)
+                count_pair(belongs, section, segment, found);
+            counted = section;
         }
-        paired = section;
+        first_[i + 1] = static_cast<std::uint32_t>(found.contacts.size() - before);
+        if (any_slender_)
+            find_axes(hair, points, rank, found);
     }
+}
+
+/// The points in the volume of a segment, but for its own sections' (M21).
+void WispDetection::find_points(const HairView& hair, const ContactPoints& points,
+                                std::uint32_t rank, Found& found) const {
+    static_cast<void>(hair);
+    found.inside.count = 0;
+    const std::span<const std::uint32_t> bunches =
+        overlapping(bunch_tree_, segment_box(points, rank), found);
+    point_test_.find(points, rank, bunches, found.inside);
+    point_test_.classify(points, rank, limits_, found.inside, 0);
 }
 
 /// A section stands for the segment before it and the one after it: which of them may touch
@@ -155,9 +176,17 @@ WispDetection::Belongs WispDetection::belongs_to(const HairView& hair, std::uint
         return {ends, begins};
     if (!ablation_.self_collision)
         return {false, false};
-    // Two segments of one wisp must share no section.
+    // Two segments of one wisp must share no section (M22).
     return {ends && (segment + 2 < section || segment > section),
             begins && (segment + 1 < section || segment > section + 1)};
+}
+
+void WispDetection::count_pair(const Belongs& belongs, std::uint32_t section, std::uint32_t segment,
+                               Found& found) const {
+    if (belongs.before)
+        found.pairs.push_back(Pair::of(section - 1, segment));
+    if (belongs.after)
+        found.pairs.push_back(Pair::of(section, segment));
 }
 
 std::span<const std::uint32_t> WispDetection::overlapping(const BoxTree& tree, const Box& box,
@@ -171,100 +200,94 @@ std::span<const std::uint32_t> WispDetection::overlapping(const BoxTree& tree, c
     return {items.data(), count};
 }
 
-/// Trees from the design: the hair that lies together there.
-void WispDetection::arrange(const HairView& hair) {
-    section_tree_.arrange(hair.groom.position);
-    std::vector<Vec3> centres;
-    for (const std::uint32_t segment : geometry_.segments())
-        centres.push_back((hair.groom.position[segment] + hair.groom.position[segment + 1]) / 2.f);
-    segment_tree_.arrange(centres);
-}
-
-void WispDetection::find_slender() {
-    any_slender_ = false;
-    for (std::size_t i = 0; i < geometry_.segments().size() && !any_slender_; ++i)
-        any_slender_ = slender(i);
-    if (any_slender_)
-        segment_tree_.update(geometry_.boxes());
-}
-
-bool WispDetection::slender(std::size_t segment_index) const {
-    return geometry_.slenderness(segment_index) > desc_.axis_contact_ratio;
-}
-
-/// Ours, beyond the paper's footnote: thin segments can cross without a point of one inside the
-/// other. Finds each pair of which one is slender once, from its slender side, or from the first of
-/// two.
-void WispDetection::test_axes(const HairView& hair, std::size_t a_index, Found& found) const {
-    if (!slender(a_index))
-        return;
-    const std::uint32_t a = geometry_.segments()[a_index];
-    const Vec3 &a0 = geometry_.section(a).x, &a1 = geometry_.section(a + 1).x;
-    const auto reach = [&](std::uint32_t segment, float s, const Vec3& toward) {
-        const auto of = [&](std::uint32_t section) {
-            const ContactSection& x = geometry_.section(section);
-            return geometry_.radius_toward(section, dot(toward, x.u), dot(toward, x.v));
-        };
-        return of(segment) * (1 - s) + of(segment + 1) * s;
+/// Each pair of segments of which one is slender once, from its slender side, or from the first of
+/// two. A contact is told from the earlier segment, whichever was slender.
+void WispDetection::find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
+                              Found& found) const {
+    const auto slender = [&](std::uint32_t r) {
+        return points.slenderness[r] > desc_.axis_contact_ratio;
     };
-    for (const std::uint32_t b_index :
-         overlapping(segment_tree_, geometry_.boxes()[a_index], found)) {
-        const std::uint32_t b = geometry_.segments()[b_index];
-        if (a == b || (b < a && slender(b_index)))
+    if (!slender(rank))
+        return;
+    const std::uint32_t a = points.order.section(rank);
+    for (const std::uint32_t other : overlapping(segment_tree_, segment_box(points, rank), found)) {
+        const std::uint32_t b = points.order.section(other);
+        if (a == b || (b < a && slender(other)))
             continue;
         const bool same_wisp = hair.layout.wisp_of(a) == hair.layout.wisp_of(b);
         if (same_wisp && (!ablation_.self_collision || std::max(a, b) - std::min(a, b) < 2))
             continue;
-        const Vec3 &b0 = geometry_.section(b).x, &b1 = geometry_.section(b + 1).x;
-        // Nearly parallel axes have no one closest place; their points find each other.
-        const Vec3 n = cross(geometry_.direction(a_index), geometry_.direction(b_index));
-        if (dot(n, n) < sine_fade_ * sine_fade_)
-            continue;
-        const ClosestPoints c = closest_points(a0, a1, b0, b1);
-        if (!c.inside)
-            continue;
-        const Vec3 gap = (b0 + (b1 - b0) * c.t) - (a0 + (a1 - a0) * c.s);
-        const float touching = reach(a, c.s, gap) + reach(b, c.t, -gap);
-        if (length(gap) > touching)
-            continue;
-        // Told from the earlier segment, whichever was slender.
-        const bool swap = b < a;
-        found.contacts.push_back({.section = swap ? b : a,
+        const auto axis =
+            axis_contact(points, a < b ? rank : other, a < b ? other : rank, limits_.sine_fade);
+        if (axis)
+            found.axes.push_back({.section = std::min(a, b),
                                   .point = {ContactPoint::kAxis},
-                                  .segment = swap ? a : b,
-                                  .s = swap ? c.s : c.t,
-                                  .along = swap ? c.t : c.s,
-                                  .density = geometry_.density(swap ? a : b, swap ? c.s : c.t),
-                                  .weight = weight_at(length(gap) / touching)});
+                                  .segment = std::max(a, b),
+                                  .s = axis->on_second,
+                                  .along = axis->on_first,
+                                  .density = axis->density,
+                                  .weight = weight_at(axis->depth)});
     }
 }
 
-/// By section, then point, then segment: chunks have them by segment already.
-void WispDetection::sort_contacts(const HairView& hair) {
-    const std::uint32_t codes = hair.groom.envelope_points + 2; // skeleton, envelope, axis
-    const auto place = [codes](const WispContact& c) {
-        return c.section * codes + (c.point.is_axis() ? codes - 1 : c.point.code);
+WispContactKind WispDetection::axis_kind(const ContactPoints& points,
+                                         const WispContact& contact) const {
+    if (desc_.mode == WispContactMode::isotropic)
+        return WispContactKind::collision;
+    const auto earlier =
+        std::lower_bound(earlier_.begin() + static_cast<std::ptrdiff_t>(earlier_axes_),
+                         earlier_.end(), contact, before);
+    const bool was = earlier != earlier_.end() && same_place(*earlier, contact) &&
+                     earlier->kind == WispContactKind::friction;
+    const std::uint32_t first = points.order.rank(contact.section),
+                        second = points.order.rank(contact.segment);
+    const auto velocity = [&](std::uint32_t rank, float s) {
+        const auto of = [&](std::uint32_t r) {
+            return first_three(points.velocity[points.place(r)]);
+        };
+        return of(rank) * (1 - s) + of(points.order.next(rank)) * s;
     };
-    places_.start(std::size_t{hair.groom.section_count()} * codes);
+    const Vec3 n =
+        cross(first_three(points.direction[first]), first_three(points.direction[second]));
+    const float sine = length(n);
+    if (sine >= limits_.sine[was])
+        return WispContactKind::collision;
+    const Vec3 unit = n / sine, // over that of the fade angle
+        v = velocity(first, contact.along) - velocity(second, contact.s);
+    const float out = std::fabs(dot(v, unit)), in = length(v - unit * dot(v, unit));
+    return out > std::max(limits_.tangent[was] * in, limits_.speed[was])
+               ? WispContactKind::collision
+               : WispContactKind::friction;
+}
+
+/// Puts together what the chunks found.
+void WispDetection::collect(const ContactPoints& points, Threads& threads) {
+    std::vector<std::size_t> begin;
+    std::size_t count = 0, axes = 0;
+    for (const Found& found : chunks_) {
+        begin.push_back(count);
+        count += found.contacts.size();
+        axes += found.axes.size();
+    }
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+        first_[i + 1] += first_[i];
+    contacts_.resize(count + axes);
+    threads.run(chunks_.size(), [&](std::size_t c) {
+        std::copy(chunks_[c].contacts.begin(), chunks_[c].contacts.end(),
+                  contacts_.begin() + static_cast<std::ptrdiff_t>(begin[c]));
+    });
+    axes_ = count;
+    auto next = contacts_.begin() + static_cast<std::ptrdiff_t>(count);
     for (const Found& found : chunks_)
-        for (const WispContact& c : found.contacts)
-            places_.count(place(c));
-    contacts_.resize(places_.add_up());
-    for (const Found& found : chunks_)
-        for (const WispContact& c : found.contacts)
-            contacts_[places_.next(place(c))] = c;
-    places_.finish();
-    if (!any_slender_)
-        return;
-    // An axis contact is told from the earlier of two segments, whichever found it.
-    for (std::size_t at = codes - 1; at < places_.size(); at += codes)
-        std::sort(contacts_.begin() + places_.first(at), contacts_.begin() + places_.last(at),
-                  before);
+        next = std::copy(found.axes.begin(), found.axes.end(), next);
+    const auto first_axis = contacts_.begin() + static_cast<std::ptrdiff_t>(axes_);
+    std::sort(first_axis, contacts_.end(), before);
+    std::for_each(first_axis, contacts_.end(),
+                  [&](WispContact& c) { c.kind = axis_kind(points, c); });
 }
 
 /// Each pair once: those with the same lower segment side by side, then marked as they are met.
-void WispDetection::count_pairs() {
-    const std::size_t sections = geometry_.section_count();
+void WispDetection::count_pairs(std::size_t sections) {
     lower_.start(sections);
     for (const Found& found : chunks_)
         for (const Pair& p : found.pairs)
@@ -281,48 +304,6 @@ void WispDetection::count_pairs() {
             intersecting_pairs_ += met_[higher_[i]] != lower;
             met_[higher_[i]] = lower;
         }
-}
-
-void WispDetection::classify(const HairView& hair, WispContact& contact,
-                             const WispContact* earlier) const {
-    if (desc_.mode == WispContactMode::isotropic) {
-        contact.kind = WispContactKind::collision;
-        return;
-    }
-    const bool was_friction = earlier && earlier->kind == WispContactKind::friction;
-    contact.kind = WispContactKind::collision;
-    const Vec3& point_direction =
-        contact.point.is_axis() ? geometry_.direction(geometry_.segment_index(contact.section))
-                                : geometry_.section(contact.section).normal;
-    const Vec3 n =
-        cross(point_direction, geometry_.direction(geometry_.segment_index(contact.segment)));
-    const float sine = length(n);
-    if (sine >= (was_friction ? sine_parallel_leaving_ : sine_parallel_))
-        return;
-    if (sine >= sine_fade_) {
-        const Vec3 unit = n / sine, v = point_velocity(hair, contact) -
-                                        segment_velocity(hair, contact.segment, contact.s);
-        const float out = std::fabs(dot(v, unit));
-        const float in = length(v - unit * dot(v, unit));
-        const float slow = desc_.sliding_speed * (was_friction ? desc_.hysteresis : 1.f);
-        if (out > std::max((was_friction ? tangent_leaving_ : tangent_) * in, slow))
-            return;
-    }
-    contact.kind = WispContactKind::friction;
-}
-
-void WispDetection::classify_all(const HairView& hair, Threads& threads) {
-    threads.run((contacts_.size() + kContactsPerChunk - 1) / kContactsPerChunk, [&](std::size_t c) {
-        const std::size_t first = c * kContactsPerChunk,
-                          last = std::min(contacts_.size(), first + kContactsPerChunk);
-        auto earlier = std::lower_bound(earlier_.begin(), earlier_.end(), contacts_[first], before);
-        for (std::size_t i = first; i < last; ++i) {
-            while (earlier != earlier_.end() && before(*earlier, contacts_[i]))
-                ++earlier;
-            const bool found = earlier != earlier_.end() && same_place(*earlier, contacts_[i]);
-            classify(hair, contacts_[i], found ? &*earlier : nullptr);
-        }
-    });
 }
 
 } // namespace mane

@@ -1,273 +1,231 @@
 #include "interactions/wisp_response.h"
 
+#include "base/functions.h"
+
 #include <algorithm>
+#include <numeric>
 
 namespace mane {
 namespace {
 
-constexpr std::size_t kAnswersPerChunk = 2048;
-constexpr std::size_t kSectionsPerChunk = 512;
-constexpr std::size_t kWispsPerChunk = 64;
+constexpr std::size_t kRanksPerChunk = 512;
+constexpr std::size_t kPacketsPerChunk = 8;
+constexpr std::uint32_t kQuad = 4;
 
-/// A contact's part of a mass that contacts of this weight together share (M27a).
-float part(const WispContact& contact, float together) {
-    return contact.weight / std::max(together, 1.f);
-}
-
-/// Calls `work` with every index below `count`, in chunks.
-template <typename Work>
-void for_each(Threads& threads, std::size_t count, std::size_t per_chunk, Work&& work) {
-    threads.run((count + per_chunk - 1) / per_chunk, [&](std::size_t chunk) {
-        const std::size_t last = std::min(count, (chunk + 1) * per_chunk);
-        for (std::size_t i = chunk * per_chunk; i < last; ++i)
-            work(i);
-    });
+std::uint32_t whole_quads(std::uint32_t contacts) {
+    return (contacts + kQuad - 1) / kQuad * kQuad;
 }
 
 } // namespace
 
-WispResponse::WispResponse(const WispContactDesc& desc) : desc_(desc) {}
-
-void WispResponse::engage(const HairView& hair, std::span<const WispContact> contacts) {
-    places_ = hair.groom.envelope_points + 1;
-    sort_by_place(hair, contacts);
-    weigh();
-    share_segments();
-
-    const std::size_t sections = hair.groom.section_count();
-    sections_.clear();
-    wisp_takes_part_.assign(hair.groom.wisp_count(), 0);
-    for (std::uint32_t s = 0; s < sections; ++s) {
-        if (!takes_part_[s])
-            continue;
-        sections_.push_back(s);
-        wisp_takes_part_[hair.layout.wisp_of(s)] = 1;
-    }
-    answers_.resize(contacts_.size());
-    impulses_.resize(contacts_.size());
-    mass_.resize(sections);
-    segment_direction_.resize(sections);
-    half_line_.resize(sections * places_);
-    velocity_.resize(sections * places_);
+WispResponse::WispResponse(const WispContactDesc& desc, const std::string& instruction_set)
+    : kernels_(wisp_answer_kernels(instruction_set)) {
+    answers_.friction = double{desc.friction};
+    answers_.sine_fade = sine_of_degrees(desc.fade_angle);
+    answers_.sine_full = sine_of_degrees(double{desc.parallel_angle} * 2 / 3);
+    answers_.sine_none = sine_of_degrees(desc.parallel_angle);
 }
 
-/// Contacts at points by their place, then those of axes; each in the order given.
-void WispResponse::sort_by_place(const HairView& hair, std::span<const WispContact> contacts) {
-    const auto can_move = [&](const WispContact& c) { // or the head holds all of it
-        const std::uint32_t second = c.point.is_axis() ? c.section + 1 : c.section;
-        return hair.layout.simulated(second) || hair.layout.simulated(c.segment + 1);
-    };
-    answers_at_.start(std::size_t{hair.groom.section_count()} * places_);
-    std::size_t axes = 0;
-    for (const WispContact& c : contacts) {
-        if (!can_move(c))
-            continue;
-        if (c.point.is_axis())
-            ++axes;
-        else
-            answers_at_.count(place(c.section, c.point));
+void WispResponse::take_masses(const HairView& hair, const ContactOrder& order) {
+    for (std::uint32_t r = 0; r < order.size(); ++r) {
+        const Slot slot = hair.layout.slot(order.section(r));
+        answers_.inverse_mass.push_back({hair.rest.at(slot, Rest::inverse_mass_across),
+                                         hair.rest.at(slot, Rest::inverse_mass_extra),
+                                         hair.rest.at(slot, Rest::inverse_envelope_mass)});
     }
-    axes_ = answers_at_.add_up();
-    contacts_.resize(axes_ + axes);
-    std::size_t next_axis = axes_;
-    for (const WispContact& c : contacts)
-        if (can_move(c))
-            contacts_[c.point.is_axis() ? next_axis++
-                                        : answers_at_.next(place(c.section, c.point))] = c;
-    answers_at_.finish();
+}
+
+void WispResponse::engage(const HairView& hair, ContactGeometry& geometry,
+                          std::span<const WispContact> contacts) {
+    const ContactPoints& points = geometry.points();
+    const std::size_t ranks = points.order.size();
+    if (answers_.inverse_mass.empty())
+        take_masses(hair, points.order);
+    fill_slots(hair, geometry, contacts);
+    share_masses(points);
+    sort_by_section(points.order);
+    answers_.near.assign(ranks, Four{});
+    answers_.far.assign(ranks, Four{});
+    answers_.impulse.resize(answers_.place.size());
+    for (AlignedVector<Four>& column : answers_.matrix)
+        column.assign(answers_.place.size(), Four{}); // those of weight 0 stay
+}
+
+/// Segment by segment, contacts of points before those of axes, each in the order given.
+void WispResponse::fill_slots(const HairView& hair, ContactGeometry& geometry,
+                              std::span<const WispContact> contacts) {
+    WispAnswers& a = answers_;
+    const ContactPoints& points_now = geometry.points();
+    const ContactOrder& order = points_now.order;
+    contacts_.clear();
+    for (const WispContact& c : contacts) {
+        const std::uint32_t second = c.point.is_axis() ? c.section + 1 : c.section;
+        if (hair.layout.simulated(second) || hair.layout.simulated(c.segment + 1))
+            contacts_.push_back(c); // of others the head holds all
+    }
+    points_of_.start(order.size());
+    axes_of_.start(order.size());
+    for (const WispContact& c : contacts_)
+        (c.point.is_axis() ? axes_of_ : points_of_).count(order.rank(c.segment));
+    const std::uint32_t points = points_of_.add_up();
+    by_segment_.resize(points + axes_of_.add_up());
+    for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
+        const std::uint32_t rank = order.rank(contacts_[i].segment);
+        by_segment_[contacts_[i].point.is_axis() ? points + axes_of_.next(rank)
+                                                 : points_of_.next(rank)] = i;
+    }
+    points_of_.finish();
+    axes_of_.finish();
+
+    a.first.resize(order.size() + 1);
+    a.first_axis.resize(order.size());
+    std::uint32_t slots = 0;
+    for (std::uint32_t r = 0; r < order.size(); ++r) {
+        a.first[r] = slots;
+        a.first_axis[r] = slots += whole_quads(points_of_.last(r) - points_of_.first(r));
+        slots += whole_quads(axes_of_.last(r) - axes_of_.first(r));
+    }
+    a.first.back() = slots;
+    a.place.assign(slots, 0);
+    a.rank.assign(slots, 0);
+    for (AlignedVector<float>* numbers : {&a.s, &a.weight, &a.density})
+        numbers->assign(slots, 0.f);
+    a.axis_points.clear();
+    slot_of_.resize(contacts_.size());
+    for (std::uint32_t r = 0; r < order.size(); ++r) {
+        for (std::uint32_t i = points_of_.first(r), slot = a.first[r]; i < points_of_.last(r); ++i)
+            take_slot(points_now, slot++, by_segment_[i]);
+        for (std::uint32_t i = axes_of_.first(r), slot = a.first_axis[r]; i < axes_of_.last(r); ++i)
+            take_slot(points_now, slot++, by_segment_[points + i]);
+    }
+    geometry.add_points(a.axis_points.size());
+}
+
+void WispResponse::take_slot(const ContactPoints& points, std::uint32_t slot,
+                             std::uint32_t contact) {
+    WispAnswers& a = answers_;
+    const WispContact& c = contacts_[contact];
+    slot_of_[contact] = slot;
+    const std::uint32_t rank = a.rank[slot] = points.order.rank(c.section);
+    if (c.point.is_axis()) {
+        a.place[slot] = points.places() + static_cast<std::uint32_t>(a.axis_points.size());
+        a.axis_points.push_back({rank, slot, c.along});
+    } else {
+        a.place[slot] = points.place(rank, c.point.code);
+    }
+    a.s[slot] = c.s;
+    a.weight[slot] = c.weight;
+    a.density[slot] = c.kind == WispContactKind::friction ? c.density : 0.f;
 }
 
 /// Sums the weights of the contacts that share a mass: each skeleton point's, an envelope point's
-/// contacts included, and each envelope point's own.
-void WispResponse::weigh() {
-    weight_.assign(answers_at_.size(), 0.f);
-    takes_part_.assign(weight_.size() / places_, 0);
-    const auto use = [this](std::uint32_t section, float weight) {
-        weight_[place(section)] += weight;
-        takes_part_[section] = 1;
+/// contacts included, and each envelope point's own; and the inverse masses that they leave for a
+/// contact (M27a): its part of a mass is its weight over their sum, where that is over 1.
+void WispResponse::share_masses(const ContactPoints& points) {
+    WispAnswers& a = answers_;
+    const std::uint32_t ranks = points.order.size();
+    together_.assign(points.places(), 0.f);
+    a.takes_part.assign(ranks, 0);
+    const auto use = [&](std::uint32_t rank, float weight) {
+        together_[points.place(rank)] += weight;
+        a.takes_part[rank] = 1;
     };
     for (const WispContact& c : contacts_) {
-        use(c.section, c.weight);
+        const std::uint32_t rank = points.order.rank(c.section),
+                            segment = points.order.rank(c.segment);
+        use(rank, c.weight);
         if (c.point.is_axis())
-            use(c.section + 1, c.weight);
+            use(points.order.next(rank), c.weight);
         if (c.point.is_envelope())
-            weight_[place(c.section, c.point)] += c.weight;
-        use(c.segment, c.weight);
-        use(c.segment + 1, c.weight);
+            together_[points.place(rank, c.point.code)] += c.weight;
+        use(segment, c.weight);
+        use(points.order.next(segment), c.weight);
+    }
+    a.shared_across.resize(ranks);
+    a.shared_extra.resize(ranks);
+    a.shared_envelope.resize(points.places());
+    for (std::uint32_t r = 0; r < ranks; ++r) {
+        const WispAnswers::InverseMass& mass = a.inverse_mass[r];
+        const float times = std::max(together_[points.place(r)], 1.f);
+        a.shared_across[r] = mass.across * times;
+        a.shared_extra[r] = mass.extra * times;
+        for (std::uint32_t code = 1; code < points.per_section; ++code) {
+            const std::uint32_t place = points.place(r, code); // M27: across it, its section's
+            a.shared_envelope[place] =
+                mass.envelope * std::max(together_[place], 1.f) - a.shared_across[r];
+        }
     }
 }
 
-/// Segment by segment, the answers that push its ends.
-void WispResponse::share_segments() {
-    shares_of_.start(takes_part_.size());
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        shares_of_.count(contacts_[i].segment);
-        if (i >= axes_)
-            shares_of_.count(contacts_[i].section);
+/// Section by section, the slots of the contacts at its points.
+void WispResponse::sort_by_section(const ContactOrder& order) {
+    WispAnswers& a = answers_;
+    a.at_section.start(order.size());
+    a.axes_at.start(order.size());
+    for (const WispContact& c : contacts_) {
+        const std::uint32_t rank = order.rank(c.section);
+        if (!c.point.is_axis()) {
+            a.at_section.count(rank);
+            continue;
+        }
+        a.axes_at.count(rank);
+        a.axes_at.count(order.next(rank));
     }
-    shares_.resize(shares_of_.add_up());
+    a.entry.resize(a.at_section.add_up());
+    a.axis_share.resize(a.axes_at.add_up());
     for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
         const WispContact& c = contacts_[i];
-        shares_[shares_of_.next(c.segment)] = {i, c.s - 1, -c.s};
-        if (i >= axes_)
-            shares_[shares_of_.next(c.section)] = {i, 1 - c.along, c.along};
-    }
-    shares_of_.finish();
-}
-
-void WispResponse::prepare(const HairView& hair, float step, Threads& threads) {
-    for_each(threads, sections_.size(), kSectionsPerChunk,
-             [&](std::size_t i) { take_section(hair, sections_[i]); });
-    const ContactMatrix matrix(desc_, step);
-    for_each(threads, answers_.size(), kAnswersPerChunk, [&](std::size_t i) {
-        const WispContact& c = contacts_[i];
-        const Symmetric3 m(matrix.impulse_per_velocity(input_of(hair, c)));
-        Answer& answer = answers_[i];
-        answer.column[0] = Four{m.xx, m.xy, m.xz, 0};
-        answer.column[1] = Four{m.xy, m.yy, m.yz, 0};
-        answer.column[2] = Four{m.xz, m.yz, m.zz, 0};
-        answer.point = c.point.is_axis() ? place(c.section) : place(c.section, c.point);
-        answer.segment = place(c.segment);
-        answer.s = c.s;
-        answer.along = c.along;
-    });
-}
-
-void WispResponse::take_section(const HairView& hair, std::uint32_t section) {
-    const Slot slot = hair.layout.slot(section);
-    mass_[section] = SectionMass::of(hair, section);
-    for (std::uint32_t k = 0; k + 1 < places_; ++k)
-        half_line_[place(section, ContactPoint::envelope(k))] =
-            four(half_line_direction(hair, slot, k));
-    // Of a segment that takes part, both ends do; past a tip it is never asked for.
-    if (section + 1 < takes_part_.size() && takes_part_[section + 1])
-        segment_direction_[section] = normalized(
-            hair.state.position.vec(hair.layout.slot(section + 1)) - hair.state.position.vec(slot));
-}
-
-ContactInput WispResponse::input_of(const HairView& hair, const WispContact& contact) const {
-    const bool axis = contact.point.is_axis();
-    const auto end = [&](std::uint32_t section, float square) {
-        return ContactEnd{&mass_[section], square / part(contact, weight_[place(section)])};
-    };
-    // Next to an end that the head holds, a contact at small s would fling the other end at 1/s of
-    // its velocity: there the weight counts once. That is a viscosity in series, so energy still
-    // falls.
-    const auto far = [&](std::uint32_t segment, float s) {
-        return hair.layout.simulated(segment) ? s * s : s;
-    };
-    const float a = contact.along, s = contact.s;
-    ContactInput input;
-    input.ends[0] = end(contact.section, (1 - a) * (1 - a));
-    if (axis)
-        input.ends[1] = end(contact.section + 1, far(contact.section, a));
-    input.ends[2] = end(contact.segment, (1 - s) * (1 - s));
-    input.ends[3] = end(contact.segment + 1, far(contact.segment, s));
-    if (contact.point.is_envelope()) {
-        const std::uint32_t at = place(contact.section, contact.point);
-        input.half_line = first_three(half_line_[at]);
-        input.envelope = mass_[contact.section].envelope / part(contact, weight_[at]);
-    }
-    input.friction = contact.kind == WispContactKind::friction;
-    input.density = contact.density;
-    input.point_direction =
-        axis ? segment_direction_[contact.section] : mass_[contact.section].normal;
-    input.segment_direction = segment_direction_[contact.segment];
-    return input;
-}
-
-void WispResponse::apply(const HairView& hair, State& state, Threads& threads) {
-    for_each(threads, sections_.size(), kSectionsPerChunk,
-             [&](std::size_t i) { take_velocities(hair, state, sections_[i]); });
-    for_each(threads, answers_.size(), kAnswersPerChunk, [&](std::size_t i) {
-        impulses_[i] = i < axes_ ? impulse(answers_[i]) : axis_impulse(answers_[i]);
-    });
-    for_each(threads, hair.groom.wisp_count(), kWispsPerChunk, [&](std::size_t w) {
-        if (wisp_takes_part_[w])
-            answer_wisp(hair, w, state);
-    });
-}
-
-void WispResponse::take_velocities(const HairView& hair, const State& state,
-                                   std::uint32_t section) {
-    const Slot slot = hair.layout.slot(section);
-    Four* at = &velocity_[place(section)];
-    const Four* half_line = &half_line_[place(section)];
-    at[0] = four(state.velocity.vec(slot));
-    for (std::uint32_t k = 0; k + 1 < places_; ++k)
-        at[k + 1] = at[0] + half_line[k + 1] * four(state.radius_rate.at(slot, k));
-}
-
-namespace {
-
-Four minus_product(const Four* column, const Four& v) {
-    return -(column[0] * four(v[0]) + column[1] * four(v[1]) + column[2] * four(v[2]));
-}
-Four between(const Four& a, const Four& b, float s) {
-    return a * four(1 - s) + b * four(s);
-}
-
-} // namespace
-
-Four WispResponse::impulse(const Answer& answer) const {
-    const Four* segment = &velocity_[answer.segment];
-    return minus_product(answer.column,
-                         velocity_[answer.point] - between(segment[0], segment[places_], answer.s));
-}
-
-Four WispResponse::axis_impulse(const Answer& answer) const {
-    const Four *point = &velocity_[answer.point], *segment = &velocity_[answer.segment];
-    return minus_product(answer.column, between(point[0], point[places_], answer.along) -
-                                            between(segment[0], segment[places_], answer.s));
-}
-
-/// From root to tip: a section is the near end of one segment and the far end of the one before.
-void WispResponse::answer_wisp(const HairView& hair, std::size_t wisp, State& state) const {
-    Four far{};
-    for (std::uint32_t s = hair.groom.first_section[wisp]; s < hair.groom.first_section[wisp + 1];
-         ++s) {
-        Four near = far;
-        far = Four{};
-        for (std::uint32_t i = shares_of_.first(s); i < shares_of_.last(s); ++i) {
-            const Four& j = impulses_[shares_[i].answer];
-            near += j * four(shares_[i].near);
-            far += j * four(shares_[i].far);
-        }
-        if (takes_part_[s] && hair.layout.simulated(s))
-            push_section(hair, s, near, state);
-    }
-}
-
-/// Changes a section's velocities: by what its segments' contacts give its skeleton point, and by
-/// those of its own points, of which an envelope point takes the part along its half line and the
-/// skeleton point the rest (M27).
-void WispResponse::push_section(const HairView& hair, std::uint32_t section, Four on_skeleton,
-                                State& state) const {
-    const std::uint32_t at = place(section);
-    float on_envelope[kMaxEnvelopePoints] = {};
-    for (std::uint32_t c = 0; c < places_; ++c) {
-        Four sum{};
-        for (std::uint32_t i = answers_at_.first(at + c); i < answers_at_.last(at + c); ++i)
-            sum += impulses_[i];
-        on_skeleton += sum;
-        if (c == 0)
+        const std::uint32_t rank = order.rank(c.section), slot = slot_of_[i];
+        if (!c.point.is_axis()) {
+            a.entry[a.at_section.next(rank)] = slot * 16 + c.point.code;
             continue;
-        const float along = dot(half_line_[at + c], sum);
-        on_envelope[c - 1] = along;
-        on_skeleton -= half_line_[at + c] * four(along);
+        }
+        a.axis_share[a.axes_at.next(rank)] = {slot, 1 - c.along};
+        a.axis_share[a.axes_at.next(order.next(rank))] = {slot, c.along};
     }
-    const SectionMass& mass = mass_[section];
-    const Slot slot = hair.layout.slot(section);
-    const Vec3 change = mass.skeleton_response(first_three(on_skeleton));
-    state.velocity.set(slot, state.velocity.vec(slot) + change);
-    const Four by = four(change);
-    for (std::uint32_t k = 0; k + 1 < places_; ++k)
-        state.radius_rate.at(slot, k) +=
-            on_envelope[k] * mass.envelope - dot(half_line_[at + k + 1], by);
+    a.at_section.finish();
+    a.axes_at.finish();
+}
+
+void WispResponse::prepare(const ContactGeometry& geometry, float step, Threads& threads) {
+    answers_.step = step;
+    threads.run_ranges(geometry.points().order.size(), kRanksPerChunk,
+                       [&](std::size_t first, std::size_t last) {
+                           kernels_.find_matrices(geometry.points(), answers_, first, last);
+                       });
+}
+
+void WispResponse::apply(const HairView& hair, ContactGeometry& geometry, State& state,
+                         Threads& threads) {
+    const ContactPoints& points = geometry.points();
+    geometry.take_velocities(hair, threads);
+    take_axis_velocities(geometry);
+    threads.run_ranges(points.order.size(), kRanksPerChunk,
+                       [&](std::size_t first, std::size_t last) {
+                           kernels_.find_impulses(points, answers_, first, last);
+                       });
+    threads.run_ranges(
+        hair.layout.packets().size(), kPacketsPerChunk, [&](std::size_t first, std::size_t last) {
+            kernels_.push_sections(points, answers_, hair.layout, state, first, last);
+        });
+}
+
+/// Of the points of axis contacts, from their segments' ends.
+void WispResponse::take_axis_velocities(ContactGeometry& geometry) const {
+    const ContactPoints& points = geometry.points();
+    Four* velocity = geometry.velocities();
+    std::uint32_t at = points.places();
+    for (const AxisPoint& point : answers_.axis_points)
+        velocity[at++] = velocity[points.place(point.rank)] * four(1 - point.along) +
+                         velocity[points.place(points.order.next(point.rank))] * four(point.along);
 }
 
 void WispResponse::list(std::vector<Contact>& contacts) const {
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    std::vector<std::uint32_t> order(contacts_.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return before(contacts_[a], contacts_[b]); });
+    for (const std::uint32_t i : order) {
         const WispContact& c = contacts_[i];
         contacts.push_back({.kind = c.kind == WispContactKind::friction ? ContactKind::friction
                                                                         : ContactKind::collision,
@@ -276,7 +234,7 @@ void WispResponse::list(std::vector<Contact>& contacts) const {
                             .along = c.along,
                             .other = c.segment,
                             .other_along = c.s,
-                            .impulse = first_three(impulses_[i])});
+                            .impulse = first_three(answers_.impulse[slot_of_[i]])});
     }
 }
 

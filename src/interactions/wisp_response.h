@@ -1,15 +1,13 @@
 #pragma once
 
-#include "base/aligned.h"
-#include "base/bins.h"
-#include "base/four.h"
-#include "base/parallel_for.h"
-#include "interactions/contact_matrix.h"
+#include "interactions/contact_geometry.h"
+#include "interactions/wisp_answers.h"
 #include "interactions/wisp_contact.h"
 #include "mane/contact.h"
 #include "mane/desc.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace mane {
@@ -24,75 +22,40 @@ namespace mane {
 /// wisps that rest on each other fall in between and shake.
 class WispResponse {
   public:
-    explicit WispResponse(const WispContactDesc& desc);
+    /// `instruction_set`: "" for the machine's best.
+    explicit WispResponse(const WispContactDesc& desc, const std::string& instruction_set = "");
 
     /// Takes the contacts of a detection. They stay engaged until the next call (M36).
-    void engage(const HairView& hair, std::span<const WispContact> contacts);
+    void engage(const HairView& hair, ContactGeometry& geometry,
+                std::span<const WispContact> contacts);
 
-    /// Takes the directions of now for the steps to come, each of `step` [s].
-    void prepare(const HairView& hair, float step, Threads& threads);
+    /// Finds how contacts answer in the steps to come, each of `step` [s], by the directions that
+    /// `geometry` took.
+    void prepare(const ContactGeometry& geometry, float step, Threads& threads);
 
     /// Changes `velocity` and `radius_rate` of `state` for one step.
-    void apply(const HairView& hair, State& state, Threads& threads);
+    void apply(const HairView& hair, ContactGeometry& geometry, State& state, Threads& threads);
 
-    /// Adds the engaged contacts with their impulses of the last step.
+    /// Adds the engaged contacts with their impulses of the last step, in the order of their
+    /// points.
     void list(std::vector<Contact>& contacts) const;
 
   private:
-    /// A contact ready to be answered, in one cache line. A *place* is a section's skeleton point
-    /// or one of its envelope points: section · (K + 1) + code.
-    struct Answer {
-        Four column[3];            ///< of (W + Z)⁻¹
-        std::uint32_t point = 0;   ///< its place
-        std::uint32_t segment = 0; ///< the place of the first section of its segment
-        float s = 0;               ///< along the segment
-        float along = 0;           ///< of an axis contact, along the point's own segment
-    };
-    static_assert(sizeof(Answer) == 64);
-    /// An answer's part in a segment, by its two ends.
-    struct Share {
-        std::uint32_t answer = 0;
-        float near = 0, far = 0;
-    };
+    void take_masses(const HairView& hair, const ContactOrder& order);
+    void fill_slots(const HairView& hair, ContactGeometry& geometry,
+                    std::span<const WispContact> contacts);
+    void take_slot(const ContactPoints& points, std::uint32_t slot, std::uint32_t contact);
+    void share_masses(const ContactPoints& points);
+    void sort_by_section(const ContactOrder& order);
+    void take_axis_velocities(ContactGeometry& geometry) const;
 
-    std::uint32_t place(std::uint32_t section, ContactPoint point = {}) const {
-        return section * places_ + point.code;
-    }
-    void sort_by_place(const HairView& hair, std::span<const WispContact> contacts);
-    void weigh();
-    void share_segments();
-    ContactInput input_of(const HairView& hair, const WispContact& contact) const;
-    void take_section(const HairView& hair, std::uint32_t section);
-    void take_velocities(const HairView& hair, const State& state, std::uint32_t section);
-    Four impulse(const Answer& answer) const;
-    Four axis_impulse(const Answer& answer) const;
-    void answer_wisp(const HairView& hair, std::size_t wisp, State& state) const;
-    void push_section(const HairView& hair, std::uint32_t section, Four on_skeleton,
-                      State& state) const;
-
-    WispContactDesc desc_;
-    std::uint32_t places_ = 0; ///< K + 1 of a section
-
-    // of a detection
-    std::vector<WispContact> contacts_; ///< by place; those of which something can move
-    std::size_t axes_ = 0;              ///< axis contacts come last, from here on
-    Bins answers_at_;                   ///< per place, but of axis contacts
-    std::vector<float> weight_;         ///< per place: of the contacts that share its mass
-    Bins shares_of_;                    ///< per section: of the segment that begins there
-    std::vector<Share> shares_;
-    std::vector<std::uint8_t> takes_part_;      ///< per section
-    std::vector<std::uint32_t> sections_;       ///< those that take part
-    std::vector<std::uint8_t> wisp_takes_part_; ///< per wisp
-
-    // of a block
-    AlignedVector<Answer> answers_;       ///< one per contact
-    std::vector<SectionMass> mass_;       ///< per section
-    AlignedVector<Four> half_line_;       ///< per place of an envelope point
-    std::vector<Vec3> segment_direction_; ///< per section
-
-    // of a step
-    AlignedVector<Four> velocity_; ///< per place
-    AlignedVector<Four> impulses_; ///< per answer
+    WispAnswers answers_;
+    WispAnswerKernels kernels_;
+    std::vector<WispContact> contacts_;     ///< those of which something can move
+    std::vector<std::uint32_t> slot_of_;    ///< per contact
+    Bins points_of_, axes_of_;              ///< per rank: the contacts of its segment
+    std::vector<std::uint32_t> by_segment_; ///< contacts of points, then of axes
+    std::vector<float> together_;           ///< per place: the weights that share its mass
 };
 
 } // namespace mane

@@ -2,6 +2,7 @@
 
 #include "base/parallel_for.h"
 #include "interactions/character_contact.h"
+#include "interactions/contact_geometry.h"
 #include "interactions/wisp_detection.h"
 #include "interactions/wisp_response.h"
 #include "mane/world.h"
@@ -33,6 +34,7 @@ struct Simulation {
     State state;
     Rows root_axis;   ///< u₀ now, one row per packet
     RootMotion roots; ///< over the present block
+    ContactGeometry contact_geometry;
     WispDetection wisp_detection;
     WispResponse wisp_response;
     CharacterContacts character_contacts;

@@ -22,8 +22,8 @@ void find_section_frames(Simulation& s) {
 
 void detect_wisp_contacts(Simulation& s) {
     const StageTimer timer(s.statistics, Stage::wisp_detection);
-    s.wisp_detection.detect(s.hair(), s.threads);
-    s.wisp_response.engage(s.hair(), s.wisp_detection.contacts());
+    s.wisp_detection.detect(s.hair(), s.contact_geometry.points(), s.threads);
+    s.wisp_response.engage(s.hair(), s.contact_geometry, s.wisp_detection.contacts());
     ++s.statistics.wisp_detections;
     s.statistics.intersections +=
         2 * s.wisp_detection.intersecting_pairs(); // each from both of its segments
@@ -50,8 +50,8 @@ void answer_wisp_contacts(Simulation& s, const StepPlace& place) {
         return;
     }
     if (place.first())
-        s.wisp_response.prepare(s.hair(), step, s.threads);
-    s.wisp_response.apply(s.hair(), s.state, s.threads);
+        s.wisp_response.prepare(s.contact_geometry, step, s.threads);
+    s.wisp_response.apply(s.hair(), s.contact_geometry, s.state, s.threads);
 }
 
 void answer_character_contacts(Simulation& s, const StepPlace& place) {
@@ -76,6 +76,8 @@ void detect_interactions(Simulation& s, const StepPlace& place) {
     if (!place.first())
         return;
     find_section_frames(s);
+    if (s.desc.wisps.mode != WispContactMode::off)
+        s.contact_geometry.take(s.hair(), s.threads);
     if (place.detects_wisps && s.desc.wisps.mode != WispContactMode::off)
         detect_wisp_contacts(s);
     detect_character_contacts(s);

@@ -35,14 +35,16 @@ float lowest_in_loop(const Ablation& ablation) {
         hair.state.velocity.set(hair.slot(0, i), {0, -1, 0});
     Threads threads(1);
     const WispContactDesc desc;
+    ContactGeometry geometry;
     WispDetection detection(desc, ablation);
     WispResponse response(desc);
     float lowest = 1;
     for (int step = 0; step < 200; ++step) {
-        detection.detect(hair.view(), threads);
-        response.engage(hair.view(), detection.contacts());
-        response.prepare(hair.view(), kStep, threads);
-        response.apply(hair.view(), hair.state, threads);
+        geometry.take(hair.view(), threads);
+        detection.detect(hair.view(), geometry.points(), threads);
+        response.engage(hair.view(), geometry, detection.contacts());
+        response.prepare(geometry, kStep, threads);
+        response.apply(hair.view(), geometry, hair.state, threads);
         for (std::uint32_t i = 2; i < hair.groom.sections(0); ++i) {
             const Slot slot = hair.slot(0, i);
             hair.state.position.set(slot, hair.x(0, i) + hair.v(0, i) * kStep);
@@ -72,6 +74,7 @@ TEST_CASE("M23: a quasi-parallel contact does not flicker when its directions wa
     const auto changes = [](float hysteresis) {
         WispContactDesc desc;
         desc.hysteresis = hysteresis;
+        ContactGeometry geometry;
         WispDetection detection(desc);
         Threads threads(1);
         std::vector<WispContact> earlier;
@@ -82,7 +85,8 @@ TEST_CASE("M23: a quasi-parallel contact does not flicker when its directions wa
             const ToyHair hair({ToyHair::straight({0, 0.1f, 0}, {0, -0.025f, 0}, 8),
                                 ToyHair::straight(lean * -4 + Vec3{0, 0, 0.006f}, lean, 8)},
                                4, 0.01f);
-            detection.detect(hair.view(), threads);
+            geometry.take(hair.view(), threads);
+            detection.detect(hair.view(), geometry.points(), threads);
             REQUIRE_FALSE(detection.contacts().empty());
             for (const WispContact& now : detection.contacts())
                 for (const WispContact& was : earlier)
@@ -114,16 +118,18 @@ TEST_CASE("M27a: an answer never adds energy, however many contacts share a poin
         desc.mode = WispContactMode::isotropic;
         desc.literal = literal;
         Threads threads(1);
+        ContactGeometry geometry;
         WispDetection detection(desc);
-        detection.detect(hair.view(), threads);
+        geometry.take(hair.view(), threads);
+        detection.detect(hair.view(), geometry.points(), threads);
         REQUIRE(detection.contacts().size() > 17);
         if (literal) {
             respond_literally(hair.view(), detection.contacts(), desc, 1e-3f, hair.state);
         } else {
             WispResponse response(desc);
-            response.engage(hair.view(), detection.contacts());
-            response.prepare(hair.view(), 1e-3f, threads);
-            response.apply(hair.view(), hair.state, threads);
+            response.engage(hair.view(), geometry, detection.contacts());
+            response.prepare(geometry, 1e-3f, threads);
+            response.apply(hair.view(), geometry, hair.state, threads);
         }
         return hair.energy({}) / before;
     };

@@ -1,6 +1,8 @@
 /// The search for boxes and points of §4.1 against looking at every one.
 
+#include "interactions/contact_geometry.h"
 #include "interactions/point_test.h"
+#include "interactions/toy_hair.h"
 #include "reference/random_numbers.h"
 
 #include "mane/error.h"
@@ -8,6 +10,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 using namespace mane;
 
@@ -39,7 +43,6 @@ TEST_CASE("a tree of boxes finds exactly those that overlap, wherever they have 
         for (std::size_t i = 0; i < count; ++i)
             centres.push_back(random_point(random, 1));
         BoxTree tree;
-        tree.arrange(centres);
         for (int moved = 0; moved < 3; ++moved) {
             std::vector<Box> boxes;
             for (const Vec3& c : centres) {
@@ -73,83 +76,108 @@ TEST_CASE("a tree of boxes finds exactly those that overlap, wherever they have 
     }
 }
 
-TEST_CASE("a slanted box of a segment holds the same points for every instruction set and K") {
+namespace {
+
+/// A wisp that stands upright from 0 to 0.1 m, its radii of many sizes, among many short ones.
+test::ToyHair upright_among(std::size_t others, std::uint32_t k, reference::RandomNumbers& random) {
+    std::vector<std::vector<Vec3>> wisps = {{{0, -0.1f, 0}, {0, 0, 0}, {0, 0.1f, 0}, {0, 0.3f, 0}}};
+    for (std::size_t i = 0; i < others; ++i) {
+        const Vec3 middle = random_point(random, 0.06) + Vec3{0, 0.05f, 0};
+        wisps.emplace_back();
+        for (int p = 0; p < 4; ++p)
+            wisps.back().push_back(middle + random_point(random, 0.06));
+    }
+    test::ToyHair hair(wisps, k, 0.01f);
+    for (std::uint32_t section = 0; section < hair.groom.section_count(); ++section)
+        for (std::uint32_t i = 0; i < k; ++i)
+            hair.state.radius.at(hair.layout->slot(section), i) =
+                static_cast<float>(random.between(0.02, 0.05));
+    return hair;
+}
+
+/// The depth of a point at height y in the upright segment that begins at `rank` (M14a), written
+/// plainly.
+double depth_in_upright(const ContactPoints& points, std::uint32_t rank, const Vec3& p) {
+    const std::uint32_t next = points.order.next(rank), k = points.per_section - 1;
+    const auto axis = [&](const Four& d) { return Vec3d(first_three(d)); };
+    const double a = dot(Vec3d(p), axis(points.half_line[points.place(rank, 1)])),
+                 b = dot(Vec3d(p), axis(points.second_axis[rank])), s = double{p.y} / 0.1;
+    const std::vector<HalfLine>& lines = points.half_lines;
+    double best = -1, squared = 0;
+    for (std::uint32_t i = 0; i < k; ++i) {
+        const HalfLine &d = lines[i], &e = lines[(i + 1) % k];
+        const double sine = lines[1].sine;
+        const double alpha = (a * e.sine - b * e.cosine) / sine,
+                     beta = (d.cosine * b - d.sine * a) / sine;
+        const auto radius = [&](std::uint32_t j) {
+            return points.radius[points.place(rank, j + 1)] * (1 - s) +
+                   points.radius[points.place(next, j + 1)] * s;
+        };
+        const double u = alpha / radius(i), v = beta / radius((i + 1) % k);
+        if (std::min(alpha, beta) > best) {
+            best = std::min(alpha, beta);
+            squared = u * u + v * v + 2 * u * v * lines[1].cosine;
+        }
+    }
+    return std::sqrt(squared);
+}
+
+} // namespace
+
+TEST_CASE("a segment holds the same points for every instruction set and K") {
     reference::RandomNumbers random(2);
     const std::vector<PointTest> tests = tests_here();
     std::size_t inside = 0;
     for (std::uint32_t k = 3; k <= kMaxEnvelopePoints; ++k) {
-        const std::vector<HalfLine> lines = half_lines(k);
-        for (std::size_t sections : {1, 2, 7, 60}) { // 60 × (K + 1) wait for more than one test
-            SegmentVolume volume;
-            volume.end[0] = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
-            volume.end[1] = {{0, 0.1f, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
-            for (VolumeEnd& end : volume.end) {
-                for (std::uint32_t i = 0; i < k; ++i)
-                    end.radius[i] = static_cast<float>(random.between(0.02, 0.05));
-                end.area = end.rest_area = 1;
-            }
-            volume.box = {{-0.05f, -0.01f, -0.05f}, {0.05f, 0.11f, 0.05f}};
-            const std::uint32_t per_section = k + 1;
-            std::vector<float> xyz[3];
-            for (std::vector<float>& axis : xyz)
-                for (std::size_t i = 0; i < sections * per_section + kLanes; ++i)
-                    axis.push_back(static_cast<float>(random.between(-0.06, 0.12)));
-            std::vector<std::uint32_t> candidates(sections);
-            for (std::uint32_t i = 0; i < sections; ++i)
-                candidates[i] = static_cast<std::uint32_t>(sections) - 1 - i;
-            const SectionPoints points{xyz[0].data(), xyz[1].data(), xyz[2].data(), per_section};
-            // This volume is upright, so a point is inside between 0 and 0.1 m where its section
-            // coordinates are x and −z.
-            const auto depth = [&](std::uint32_t p) {
-                const double a = double{xyz[0][p]}, b = -double{xyz[2][p]}, s = xyz[1][p] / 0.1;
-                double best = -1, squared = 0;
-                for (std::uint32_t i = 0; i < k; ++i) {
-                    const HalfLine &d = lines[i], &e = lines[(i + 1) % k];
-                    const double sine = lines[1].sine;
-                    const double alpha = (a * e.sine - b * e.cosine) / sine,
-                                 beta = (d.cosine * b - d.sine * a) / sine;
-                    const auto radius = [&](std::uint32_t j) {
-                        return volume.end[0].radius[j] * (1 - s) + volume.end[1].radius[j] * s;
-                    };
-                    const double u = alpha / radius(i), v = beta / radius((i + 1) % k);
-                    if (std::min(alpha, beta) > best) {
-                        best = std::min(alpha, beta);
-                        squared = u * u + v * v + 2 * u * v * lines[1].cosine;
-                    }
-                }
-                return std::sqrt(squared);
-            };
+        for (std::size_t others : {1, 2, 7, 60}) { // 240 sections wait for more than one test
+            const test::ToyHair hair = upright_among(others, k, random);
+            Threads threads(1);
+            ContactGeometry geometry;
+            geometry.take(hair.view(), threads);
+            const ContactPoints& points = geometry.points();
+            const std::uint32_t rank = points.order.rank(1), next = points.order.next(rank);
+            std::vector<std::uint32_t> bunches(points.bunches());
+            std::iota(bunches.begin(), bunches.end(), 0u);
+
             std::vector<std::uint32_t> expected, uncertain;
-            for (const std::uint32_t section : candidates)
-                for (std::uint32_t c = 0; c < per_section; ++c) {
-                    const std::uint32_t p = section * per_section + c;
-                    const double y = double{xyz[1][p]}, margin = 1e-4;
-                    const double d = depth(p);
-                    if (std::fabs(d - 1) < margin || std::fabs(y) < 1e-6 ||
-                        std::fabs(y - 0.1) < 1e-6)
-                        uncertain.push_back(p);
-                    else if (y > 0 && y < 0.1 && d < 1)
-                        expected.push_back(p);
-                }
-            std::vector<PointInside> first;
+            for (const std::uint32_t bunch : bunches)
+                for (std::uint32_t code = 0; code <= k; ++code)
+                    for (std::uint32_t r = bunch * kLanes;
+                         r < std::min((bunch + 1) * kLanes, points.order.size()); ++r) {
+                        const std::uint32_t at = points.place(r, code);
+                        const Vec3 p{points.x[at], points.y[at], points.z[at]};
+                        if (r == rank || r == next || p.y > 1)
+                            continue;
+                        const double margin = 1e-4, depth = depth_in_upright(points, rank, p);
+                        if (std::fabs(depth - 1) < margin || std::fabs(p.y) < 1e-6f ||
+                            std::fabs(p.y - 0.1f) < 1e-6f)
+                            uncertain.push_back(r * 16 + code);
+                        else if (p.y > 0 && p.y < 0.1f && depth < 1)
+                            expected.push_back(r * 16 + code);
+                    }
+            PointsInside first;
             for (const PointTest& test : tests) {
-                std::vector<PointInside> found(sections * per_section);
-                found.resize(test.find(volume, lines, points, candidates, found.data()));
+                PointsInside found;
+                test.find(points, rank, bunches, found);
                 std::vector<std::uint32_t> certain;
-                for (const PointInside& in : found) {
-                    if (std::find(uncertain.begin(), uncertain.end(), in.point) == uncertain.end())
-                        certain.push_back(in.point);
-                    CHECK(std::fabs(in.depth - depth(in.point)) < 1e-5);
-                    CHECK(std::fabs(in.s - xyz[1][in.point] / 0.1f) < 1e-5f);
+                for (std::size_t i = 0; i < found.count; ++i) {
+                    const std::uint32_t point = found.point[i],
+                                        at = points.place(point / 16, point % 16);
+                    const Vec3 p{points.x[at], points.y[at], points.z[at]};
+                    if (std::find(uncertain.begin(), uncertain.end(), point) == uncertain.end())
+                        certain.push_back(point);
+                    CHECK(std::fabs(double{found.depth[i]} - depth_in_upright(points, rank, p)) <
+                          1e-5);
+                    CHECK(std::fabs(found.s[i] - p.y / 0.1f) < 1e-5f);
                 }
                 CHECK(certain == expected);
-                if (first.empty())
+                if (first.count == 0)
                     first = found;
-                REQUIRE(found.size() == first.size());
-                for (std::size_t i = 0; i < found.size(); ++i)
-                    CHECK((found[i].point == first[i].point && found[i].s == first[i].s &&
-                           found[i].depth == first[i].depth &&
-                           found[i].density == first[i].density));
+                REQUIRE(found.count == first.count);
+                for (std::size_t i = 0; i < found.count; ++i)
+                    CHECK((found.point[i] == first.point[i] && found.s[i] == first.s[i] &&
+                           found.depth[i] == first.depth[i] &&
+                           found.density[i] == first.density[i]));
             }
             inside += expected.size();
         }

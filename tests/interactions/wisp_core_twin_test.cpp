@@ -51,11 +51,13 @@ void respond(CoreHair& core, const std::vector<WispContact>& contacts, const Wis
         respond_literally(core.view(), contacts, desc, time, core.state);
         return;
     }
+    ContactGeometry geometry;
     WispResponse response(desc);
     Threads threads(1);
-    response.engage(core.view(), contacts);
-    response.prepare(core.view(), time, threads);
-    response.apply(core.view(), core.state, threads);
+    geometry.take(core.view(), threads);
+    response.engage(core.view(), geometry, contacts);
+    response.prepare(geometry, time, threads);
+    response.apply(core.view(), geometry, core.state, threads);
 }
 
 /// Of any velocity or rate, relative to 1 m/s and itself.
@@ -98,10 +100,11 @@ TEST_CASE("the core finds the contacts that comparing everything with everything
         const reference::Detection expected = detect(both.twin, {});
         const std::vector<WispContact> expected_contacts = both.core.take(expected.contacts);
 
+        ContactGeometry geometry;
         WispDetection detection({});
         Threads threads(1);
-        detection.detect(both.core.view(), threads);
-        CHECK(std::is_sorted(detection.contacts().begin(), detection.contacts().end(), before));
+        geometry.take(both.core.view(), threads);
+        detection.detect(both.core.view(), geometry.points(), threads);
         const auto found = by_place(detection.contacts()), wanted = by_place(expected_contacts);
         REQUIRE(found.size() == detection.contacts().size()); // each place once
         for (const auto& [place, w] : wanted) {

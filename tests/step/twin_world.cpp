@@ -54,7 +54,8 @@ void TwinWorld::detect(bool wisps) {
     roots_at(0);
     write_state();
     if (wisps && core_.desc.wisps.mode != WispContactMode::off) {
-        core_.wisp_detection.detect(core_.hair(), core_.threads);
+        core_.contact_geometry.take(core_.hair(), core_.threads);
+        core_.wisp_detection.detect(core_.hair(), core_.contact_geometry.points(), core_.threads);
         contacts_ = contacts_of(core_.wisp_detection.contacts(), core_.groom, core_.layout);
         for (const reference::Contact& c : contacts_)
             ++(c.friction ? core_.statistics.friction_contacts

@@ -146,10 +146,12 @@ TEST_CASE(
 
         kernels.process_forces(data, 0, packets);
         kernels.move_root_velocities(data, kEnd, 0, packets);
+        ContactGeometry geometry;
         WispResponse response(input.wisps);
-        response.engage(core.view(), core.take(input.contacts));
-        response.prepare(core.view(), static_cast<float>(input.friction_time), threads);
-        response.apply(core.view(), core.state, threads);
+        geometry.take(core.view(), threads);
+        response.engage(core.view(), geometry, core.take(input.contacts));
+        response.prepare(geometry, static_cast<float>(input.friction_time), threads);
+        response.apply(core.view(), geometry, core.state, threads);
         kernels.process_positions(data, kEnd, 0, packets);
         input.end = roots_of(core);
 

@@ -1,0 +1,95 @@
+#include "interactions/axis_test.h"
+
+#include "interactions/point_test.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mane {
+namespace {
+
+/// The closest points of two segments' axes, as places along them; only where both lie inside.
+struct ClosestPoints {
+    float s = 0, t = 0;
+    bool inside = false;
+};
+ClosestPoints closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
+    const Vec3 d = a1 - a0, e = b1 - b0, r = a0 - b0;
+    const float dd = dot(d, d), ee = dot(e, e), de = dot(d, e), dr = dot(d, r), er = dot(e, r);
+    const float det = dd * ee - de * de;
+    if (!(det > 0))
+        return {};
+    const float s = (de * er - ee * dr) / det, t = (dd * er - de * dr) / det;
+    return {s, t, s > 0 && s < 1 && t > 0 && t < 1};
+}
+
+/// The square of the depth of section coordinates (a, b): quarter-ellipses between neighbouring
+/// half lines, or their like for other K (M14a). The sector of (a, b) is the one in which both
+/// coordinates along its two half lines are not negative; the largest smaller coordinate finds it
+/// without branches on signs of zeros.
+float squared_depth(const ContactPoints& points, std::uint32_t rank, float a, float b) {
+    const std::uint32_t k_count = points.per_section - 1;
+    const float sine = points.half_lines[1].sine, cosine = points.half_lines[1].cosine;
+    float best = 0, result = 0;
+    for (std::uint32_t k = 0; k < k_count; ++k) {
+        const std::uint32_t next = k + 1 < k_count ? k + 1 : 0;
+        const HalfLine &d = points.half_lines[k], &e = points.half_lines[next];
+        // (a, b) = α d + β e, solved by cross products
+        const float alpha = (a * e.sine - b * e.cosine) / sine,
+                    beta = (d.cosine * b - d.sine * a) / sine;
+        const float smaller = std::min(alpha, beta);
+        if (k > 0 && smaller <= best)
+            continue;
+        best = smaller;
+        const auto radius = [&](std::uint32_t line) {
+            return std::max(points.radius[points.place(rank, line + 1)], kSmallestRadius);
+        };
+        const float p = alpha / radius(k), q = beta / radius(next);
+        result = p * p + q * q + 2 * p * q * cosine;
+    }
+    return result;
+}
+
+/// The radius of a section in a direction's part in the section.
+float radius_toward(const ContactPoints& points, std::uint32_t rank, const Vec3& way) {
+    const float a = dot(way, first_three(points.half_line[points.place(rank, 1)])),
+                b = dot(way, first_three(points.second_axis[rank]));
+    const float d2 = squared_depth(points, rank, a, b);
+    return d2 > 0 ? std::sqrt((a * a + b * b) / d2) : 0.f;
+}
+
+float density_at(const ContactPoints& points, std::uint32_t rank, std::uint32_t next, float s) {
+    const auto at_s = [&](const AlignedVector<float>& x) {
+        return x[rank] + (x[next] - x[rank]) * s;
+    };
+    return std::min(at_s(points.rest_area) / std::max(at_s(points.area), 1e-12f), 10.f);
+}
+
+} // namespace
+
+std::optional<AxisContact> axis_contact(const ContactPoints& points, std::uint32_t first,
+                                        std::uint32_t second, float least_sine) {
+    const Vec3 n =
+        cross(first_three(points.direction[first]), first_three(points.direction[second]));
+    if (dot(n, n) < least_sine * least_sine)
+        return {};
+    const std::uint32_t first_end = points.order.next(first),
+                        second_end = points.order.next(second);
+    const auto position = [&](std::uint32_t rank) { return first_three(points.position[rank]); };
+    const Vec3 a0 = position(first), a1 = position(first_end), b0 = position(second),
+               b1 = position(second_end);
+    const ClosestPoints c = closest_points(a0, a1, b0, b1);
+    if (!c.inside)
+        return {};
+    const Vec3 gap = (b0 + (b1 - b0) * c.t) - (a0 + (a1 - a0) * c.s);
+    const auto reach = [&](std::uint32_t rank, std::uint32_t end, float s, const Vec3& way) {
+        return radius_toward(points, rank, way) * (1 - s) + radius_toward(points, end, way) * s;
+    };
+    const float touching = reach(first, first_end, c.s, gap) + reach(second, second_end, c.t, -gap);
+    if (length(gap) > touching)
+        return {};
+    return AxisContact{c.s, c.t, length(gap) / touching,
+                       density_at(points, second, second_end, c.t)};
+}
+
+} // namespace mane

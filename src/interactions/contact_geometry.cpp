@@ -1,0 +1,35 @@
+#include "interactions/contact_geometry.h"
+
+namespace mane {
+namespace {
+
+constexpr std::size_t kPacketsPerChunk = 8;
+constexpr std::size_t kRanksPerChunk = 2048;
+
+} // namespace
+
+ContactGeometry::ContactGeometry(const std::string& instruction_set)
+    : kernels_(contact_point_kernels(instruction_set)) {}
+
+void ContactGeometry::take(const HairView& hair, Threads& threads) {
+    if (points_.order.size() == 0)
+        points_ = contact_points(hair);
+    threads.run_ranges(hair.layout.packets().size(), kPacketsPerChunk,
+                       [&](std::size_t first, std::size_t last) {
+                           kernels_.take_places(hair, points_, first, last);
+                           kernels_.take_velocities(hair, points_, first, last);
+                       });
+    threads.run_ranges(points_.order.size(), kRanksPerChunk,
+                       [&](std::size_t first, std::size_t last) {
+                           kernels_.find_directions(points_, first, last);
+                       });
+}
+
+void ContactGeometry::take_velocities(const HairView& hair, Threads& threads) {
+    threads.run_ranges(hair.layout.packets().size(), kPacketsPerChunk,
+                       [&](std::size_t first, std::size_t last) {
+                           kernels_.take_velocities(hair, points_, first, last);
+                       });
+}
+
+} // namespace mane

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "base/aligned.h"
+#include "base/four.h"
+#include "interactions/contact_order.h"
+#include "model/state.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mane {
+
+/// All points of the hair that can be in contact, by rank (ContactOrder). Sixteen ranks are a
+/// *bunch*: their points lie side by side, first the sixteen skeleton points, then the sixteen
+/// first envelope points and so on, so that one vector operation asks something of sixteen. A
+/// point's number in this order is its *place*. Positions and directions are those of a detection
+/// block's beginning.
+struct ContactPoints {
+    // fixed
+    ContactOrder order;
+    std::uint32_t per_section = 0;    ///< K + 1
+    std::vector<HalfLine> half_lines; ///< in a section's own axes
+    AlignedVector<float> rest_area;   ///< per rank: Σ r_k r_{k+1} of the design
+    std::vector<std::uint32_t> wisp;  ///< per rank
+    std::vector<std::uint8_t> held;   ///< per rank: by the head (x₀ and x₁)
+
+    // of a block
+    AlignedVector<Four> position, normal; ///< per rank
+    AlignedVector<Four> second_axis;      ///< per rank: v of the section's axes; u is half line 0
+    AlignedVector<Four> low, high;        ///< per rank: corners of the box of its largest disc
+    AlignedVector<float> area;            ///< per rank: Σ r_k r_{k+1}
+    AlignedVector<Four> direction;        ///< per rank: of the segment that begins there
+    AlignedVector<float> slenderness;     ///< its length in mean diameters
+    AlignedVector<float> x, y, z;  ///< per place; far away where there is no point, and of x₀
+    AlignedVector<float> radius;   ///< per place of an envelope point
+    AlignedVector<Four> half_line; ///< per place; zero but for envelope points
+
+    // of a step
+    AlignedVector<Four> velocity; ///< per place; room for more behind
+
+    std::uint32_t bunches() const { return (order.size() + kLanes - 1) / kLanes; }
+    std::uint32_t places() const { return bunches() * per_section * kLanes; }
+    std::uint32_t place(std::uint32_t rank, std::uint32_t code = 0) const {
+        return (rank / kLanes * per_section + code) * kLanes + rank % kLanes;
+    }
+};
+
+/// The points of a groom, not yet placed.
+ContactPoints contact_points(const HairView& hair);
+
+/// What moves them, on packets or ranks [first, last), compiled once per instruction set. All give
+/// the same bits.
+struct ContactPointKernels {
+    /// Places, axes and radii of now.
+    void (*take_places)(const HairView&, ContactPoints&, std::size_t first_packet,
+                        std::size_t last_packet);
+    /// Of the segments that begin at these ranks, from those.
+    void (*find_directions)(ContactPoints&, std::size_t first_rank, std::size_t last_rank);
+    void (*take_velocities)(const HairView&, ContactPoints&, std::size_t first_packet,
+                            std::size_t last_packet);
+};
+/// For an instruction set by name, or the machine's best for "".
+ContactPointKernels contact_point_kernels(const std::string& instruction_set);
+
+} // namespace mane

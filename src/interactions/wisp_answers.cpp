@@ -1,0 +1,267 @@
+#include "interactions/wisp_answers.h"
+
+// This file is compiled once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "interactions/wisp_answers.cpp"
+#include <hwy/foreach_target.h>
+
+#include "base/blocks-inl.h"
+#include "interactions/contact_matrix-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mane::HWY_NAMESPACE {
+
+/// Contacts of one segment, as many at a time as `D` has lanes.
+template <typename D> class MatrixLanes {
+  public:
+    using R = Reals<D>;
+    using R3 = Reals3<D>;
+    static constexpr std::size_t kCount = hn::MaxLanes(D());
+
+    HWY_INLINE MatrixLanes(const ContactPoints& points, WispAnswers& answers, std::size_t slot)
+        : p(points), a(answers), slot_(slot) {}
+
+    /// W of a point of a section (not of an axis), but for the contact's weight; its direction.
+    HWY_INLINE void add_point(Symmetrics<D>& w, R3& direction) {
+        const auto section = whole(a.rank), place = whole(a.place);
+        direction = gather(p.normal, section);
+        half_line_ = gather(p.half_line, place);
+        add_identity(w, gather(a.shared_across, section));
+        add_outer(w, direction, gather(a.shared_extra, section));
+        add_outer(w, half_line_, gather(a.shared_envelope, place));
+    }
+
+    /// W of a segment, (1 − s)² and s² of its ends; s next to the head (docs/model.md).
+    HWY_INLINE void add_segment(Symmetrics<D>& w, const SymmetricOf<double>& near,
+                                const SymmetricOf<double>& far, bool held) {
+        const R s = load(a.s), rest = R(1.0) - s;
+        add(w, near, rest * rest);
+        add(w, far, held ? s : s * s);
+    }
+
+    HWY_INLINE void store(Symmetrics<D> w, const R3& point, const R3& segment) {
+        const R trace = w.xx + w.yy + w.zz;
+        const R drag = viscosity_of_drag(load(a.density) * R(a.friction * double{a.step}));
+        if (!hn::AllFalse(D(), hn::Gt(drag.v, hn::Zero(D()))))
+            add_viscosity(w, point, segment, trace * R(1.0 / 3), drag, a);
+        const Symmetrics<D> m = inverse(w, trace, -load(a.weight));
+        const R3 column[3] = {{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
+        for (std::size_t c = 0; c < 3; ++c)
+            hn::StoreInterleaved4(demote(column[c].x), demote(column[c].y), demote(column[c].z),
+                                  demote(dot(half_line_, column[c])), Single(),
+                                  reinterpret_cast<float*>(a.matrix[c].data() + slot_));
+    }
+
+    static HWY_INLINE R3 same(const Four& v) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
+    HWY_INLINE void no_half_line() { half_line_ = {0.0, 0.0, 0.0}; }
+
+  private:
+    using Single = hn::Rebind<float, D>;
+    using Whole = hn::Rebind<std::int32_t, D>;
+
+    HWY_INLINE R load(const AlignedVector<float>& x) const {
+        return hn::PromoteTo(D(), hn::LoadU(Single(), x.data() + slot_));
+    }
+    HWY_INLINE hn::Vec<Whole> whole(const AlignedVector<std::uint32_t>& x) const {
+        return hn::BitCast(Whole(), hn::LoadU(hn::Rebind<std::uint32_t, D>(), x.data() + slot_));
+    }
+    static HWY_INLINE hn::Vec<Single> demote(R x) { return hn::DemoteTo(Single(), x.v); }
+    static HWY_INLINE R gather(const AlignedVector<float>& x, hn::Vec<Whole> at) {
+        return hn::PromoteTo(D(), hn::GatherIndex(Single(), x.data(), at));
+    }
+    static HWY_INLINE R3 gather(const AlignedVector<Four>& x, hn::Vec<Whole> at) {
+        const float* base = reinterpret_cast<const float*>(x.data());
+        const auto four = hn::ShiftLeft<2>(at);
+        const auto part = [&](int c) -> R {
+            return hn::PromoteTo(D(), hn::GatherIndex(Single(), base + c, four));
+        };
+        return {part(0), part(1), part(2)};
+    }
+
+    const ContactPoints& p;
+    WispAnswers& a;
+    std::size_t slot_;
+    R3 half_line_;
+};
+
+/// Inverse masses of a section as its contacts share them.
+inline SymmetricOf<double> shared_matrix(const ContactPoints& p, const WispAnswers& a,
+                                         std::size_t rank) {
+    SymmetricOf<double> m{};
+    const Four& n = p.normal[rank];
+    add_identity(m, double{a.shared_across[rank]});
+    add_outer(m, Vec3d(first_three(n)), double{a.shared_extra[rank]});
+    return m;
+}
+
+struct SegmentMatrices {
+    SymmetricOf<double> near, far;
+    bool held;
+};
+
+template <typename D>
+HWY_INLINE void find_point_matrices(const ContactPoints& p, WispAnswers& a, std::size_t rank,
+                                    const SegmentMatrices& segment, std::size_t slot) {
+    MatrixLanes<D> lanes(p, a, slot);
+    Symmetrics<D> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    Reals3<D> direction;
+    lanes.add_point(w, direction);
+    lanes.add_segment(w, segment.near, segment.far, segment.held);
+    lanes.store(w, direction, lanes.same(p.direction[rank]));
+}
+
+/// A contact of two axes: both sides as segments. They are few, so one at a time.
+inline void find_axis_matrix(const ContactPoints& p, WispAnswers& a, std::size_t rank,
+                             const SegmentMatrices& segment, std::size_t slot) {
+    using D = hn::CappedTag<double, 1>;
+    const AxisPoint& point = a.axis_points[a.place[slot] - p.places()];
+    const double along = double{point.along}, rest = 1 - along;
+    MatrixLanes<D> lanes(p, a, slot);
+    lanes.no_half_line();
+    Symmetrics<D> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    add<D>(w, shared_matrix(p, a, point.rank), rest * rest);
+    add<D>(w, shared_matrix(p, a, p.order.next(point.rank)),
+           p.held[point.rank] ? along : along * along);
+    lanes.add_segment(w, segment.near, segment.far, segment.held);
+    lanes.store(w, lanes.same(p.direction[point.rank]), lanes.same(p.direction[rank]));
+}
+
+void find_matrices(const ContactPoints& p, WispAnswers& a, std::size_t first, std::size_t last) {
+    using Wide = hn::CappedTag<double, 8>;
+    using Narrow = hn::CappedTag<double, 4>;
+    constexpr std::size_t kWide = hn::MaxLanes(Wide()), kNarrow = hn::MaxLanes(Narrow());
+    for (std::size_t rank = first; rank < last; ++rank) {
+        if (a.first[rank] == a.first[rank + 1])
+            continue;
+        const SegmentMatrices segment{
+            shared_matrix(p, a, rank),
+            shared_matrix(p, a, p.order.next(static_cast<std::uint32_t>(rank))), p.held[rank] != 0};
+        std::size_t slot = a.first[rank];
+        for (; slot + kWide <= a.first_axis[rank]; slot += kWide)
+            find_point_matrices<Wide>(p, a, rank, segment, slot);
+        for (; slot < a.first_axis[rank]; slot += kNarrow)
+            find_point_matrices<Narrow>(p, a, rank, segment, slot);
+        for (; slot < a.first[rank + 1] && a.weight[slot] > 0; ++slot)
+            find_axis_matrix(p, a, rank, segment, slot);
+    }
+}
+
+/// Impulses of four contacts with a segment that moves like v + s·change; adds them, and their
+/// parts at s, to the sums.
+HWY_INLINE void find_four(const ContactPoints& p, WispAnswers& a, std::size_t slot, Blocks v,
+                          Blocks change, FourBlocks& sum, FourBlocks& sum_at_s) {
+    for (std::size_t part = 0; part < FourBlocks::kParts; ++part) {
+        const std::size_t at = slot + part * Blocks::kCount;
+        const Blocks s = Blocks::each(a.s.data() + slot, part);
+        const Blocks relative =
+            Blocks::pick(p.velocity.data(), a.place.data() + at) - v - change * s;
+        const Blocks j = Blocks::load(a.matrix[0].data() + at) * relative.all<0>() +
+                         Blocks::load(a.matrix[1].data() + at) * relative.all<1>() +
+                         Blocks::load(a.matrix[2].data() + at) * relative.all<2>();
+        j.store(a.impulse.data() + at);
+        sum.part[part] = sum.part[part] + j;
+        sum_at_s.part[part] = sum_at_s.part[part] + j * s;
+    }
+}
+
+void find_impulses(const ContactPoints& p, WispAnswers& a, std::size_t first, std::size_t last) {
+    for (std::size_t rank = first; rank < last; ++rank) {
+        if (a.first[rank] == a.first[rank + 1])
+            continue;
+        const auto begin = static_cast<std::uint32_t>(rank);
+        const Four near = p.velocity[p.place(begin)],
+                   change = p.velocity[p.place(p.order.next(begin))] - near;
+        const Blocks near_blocks = Blocks::same(near), change_blocks = Blocks::same(change);
+        FourBlocks sum = FourBlocks::zero(), at_s = FourBlocks::zero();
+        for (std::size_t slot = a.first[rank]; slot < a.first[rank + 1]; slot += 4)
+            find_four(p, a, slot, near_blocks, change_blocks, sum, at_s);
+        const Four far = at_s.sum();
+        a.far[rank] = -far;
+        a.near[rank] = far - sum.sum();
+    }
+}
+
+/// The impulses on a section: of its skeleton point, and along its half lines.
+struct SectionImpulse {
+    Four skeleton;
+    float envelope[kMaxEnvelopePoints];
+};
+
+HWY_INLINE SectionImpulse gather_section(const ContactPoints& p, const WispAnswers& a,
+                                         std::uint32_t rank, Four on_segments) {
+    SectionImpulse sum{on_segments, {}};
+    float along[kMaxEnvelopePoints + 1] = {};
+    for (std::uint32_t i = a.at_section.first(rank); i < a.at_section.last(rank); ++i) {
+        const std::uint32_t entry = a.entry[i];
+        const Four& j = a.impulse[entry / 16];
+        sum.skeleton += j;
+        along[entry % 16] += j[3];
+    }
+    for (std::uint32_t i = a.axes_at.first(rank); i < a.axes_at.last(rank); ++i)
+        sum.skeleton += a.impulse[a.axis_share[i].slot] * four(a.axis_share[i].share);
+    for (std::uint32_t code = 1; code < p.per_section; ++code) {
+        sum.envelope[code - 1] = along[code];
+        sum.skeleton -= p.half_line[p.place(rank, code)] * four(along[code]);
+    }
+    return sum;
+}
+
+/// An envelope point takes the part along its half line, the skeleton point the rest (M27); the
+/// others keep their own motion.
+HWY_INLINE void push_section(const ContactPoints& p, const WispAnswers& a, std::uint32_t rank,
+                             const SectionImpulse& j, float* velocity, float* rate) {
+    const WispAnswers::InverseMass& mass = a.inverse_mass[rank];
+    const Four& normal = p.normal[rank];
+    const Four change =
+        j.skeleton * four(mass.across) + normal * four(mane::dot(normal, j.skeleton) * mass.extra);
+    for (std::size_t c = 0; c < 3; ++c)
+        velocity[c * kLanes] += change[c];
+    for (std::uint32_t k = 0; k + 1 < p.per_section; ++k)
+        rate[k * kLanes] +=
+            j.envelope[k] * mass.envelope - mane::dot(p.half_line[p.place(rank, k + 1)], change);
+}
+
+void push_sections(const ContactPoints& points, const WispAnswers& a, const Layout& layout,
+                   State& state, std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) {
+        const Packet& packet = layout.packets()[p];
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            Four far{}; // from root to tip: a section is the far end of the segment before
+            for (std::size_t row = packet.first_row; row < packet.first_row + packet.sections[lane];
+                 ++row) {
+                const std::uint32_t rank = points.order.row(row)[lane];
+                if (!a.takes_part[rank]) {
+                    far = Four{};
+                    continue;
+                }
+                if (!points.held[rank])
+                    push_section(points, a, rank,
+                                 gather_section(points, a, rank, a.near[rank] + far),
+                                 state.velocity.row(row) + lane, state.radius_rate.row(row) + lane);
+                far = a.far[rank];
+            }
+        }
+    }
+}
+
+WispAnswerKernels wisp_answers() {
+    return {find_matrices, find_impulses, push_sections};
+}
+
+} // namespace mane::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "base/instruction_set.h"
+
+namespace mane {
+
+HWY_EXPORT(wisp_answers);
+
+WispAnswerKernels wisp_answer_kernels(const std::string& name) {
+    const ChosenInstructionSet chosen(instruction_set(name));
+    return HWY_DYNAMIC_DISPATCH(wisp_answers)();
+}
+
+} // namespace mane
+#endif
