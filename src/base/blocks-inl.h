@@ -26,6 +26,7 @@ struct Blocks {
     static HWY_INLINE Blocks pick(const Four* base, const std::uint32_t* at) {
         return {base[at[0]]};
     }
+    static HWY_INLINE Blocks every(const Four* p, std::size_t) { return {*p}; }
     static HWY_INLINE Blocks each(const float* four, std::size_t part) {
         return {mane::four(four[part])};
     }
@@ -65,6 +66,15 @@ struct Blocks {
     /// The same Four everywhere.
     static HWY_INLINE Blocks same(const Four& x) {
         return {hn::LoadDup128(Tag(), reinterpret_cast<const float*>(&x))};
+    }
+    /// Fours that are `stride` apart.
+    static HWY_INLINE Blocks every(const Four* p, std::size_t stride) {
+        if (stride == 1)
+            return load(p);
+        std::uint32_t at[kCount];
+        for (std::size_t b = 0; b < kCount; ++b)
+            at[b] = static_cast<std::uint32_t>(b * stride);
+        return pick(p, at);
     }
     /// One Four per block, from wherever it is.
     static HWY_INLINE Blocks pick(const Four* base, const std::uint32_t* at) {

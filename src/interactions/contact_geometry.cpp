@@ -3,7 +3,8 @@
 namespace mane {
 namespace {
 
-constexpr std::size_t kPacketsPerChunk = 8;
+constexpr std::size_t kPacketsPerChunk = 32;
+constexpr std::size_t kBunchesPerChunk = 128;
 constexpr std::size_t kRanksPerChunk = 2048;
 
 } // namespace
@@ -17,8 +18,8 @@ void ContactGeometry::take(const HairView& hair, Threads& threads) {
     threads.run_ranges(hair.layout.packets().size(), kPacketsPerChunk,
                        [&](std::size_t first, std::size_t last) {
                            kernels_.take_places(hair, points_, first, last);
-                           kernels_.take_velocities(hair, points_, first, last);
                        });
+    take_velocities(hair, threads);
     threads.run_ranges(points_.order.size(), kRanksPerChunk,
                        [&](std::size_t first, std::size_t last) {
                            kernels_.find_directions(points_, first, last);
@@ -28,7 +29,19 @@ void ContactGeometry::take(const HairView& hair, Threads& threads) {
 void ContactGeometry::take_velocities(const HairView& hair, Threads& threads) {
     threads.run_ranges(hair.layout.packets().size(), kPacketsPerChunk,
                        [&](std::size_t first, std::size_t last) {
-                           kernels_.take_velocities(hair, points_, first, last);
+                           kernels_.take_motion(hair, points_, first, last);
+                       });
+    threads.run_ranges(points_.bunches(), kBunchesPerChunk,
+                       [&](std::size_t first, std::size_t last) {
+                           kernels_.find_velocities(points_, first, last);
+                       });
+}
+
+void ContactGeometry::add_to(State& state, const Layout& layout, const SectionMotion& change,
+                             Threads& threads) const {
+    threads.run_ranges(layout.packets().size(), kPacketsPerChunk,
+                       [&](std::size_t first, std::size_t last) {
+                           kernels_.add_motion(points_, layout, change, state, first, last);
                        });
 }
 

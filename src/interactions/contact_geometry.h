@@ -17,6 +17,9 @@ class ContactGeometry {
     void take(const HairView& hair, Threads& threads);
     /// Takes velocities of now: at every step.
     void take_velocities(const HairView& hair, Threads& threads);
+    /// Adds a change to the velocities and radius rates of the hair.
+    void add_to(State& state, const Layout& layout, const SectionMotion& change,
+                Threads& threads) const;
 
     const ContactPoints& points() const { return points_; }
     /// Makes room for the velocities of more points, behind all others.

@@ -35,7 +35,7 @@ std::vector<std::uint64_t> places_on_curve(const std::vector<Vec3>& points) {
 
 ContactOrder::ContactOrder(const Groom& groom, const Layout& layout)
     : section_(groom.section_count()), rank_(section_.size()), next_(section_.size(), kNone),
-      at_(layout.rows() * kLanes, kNone) {
+      before_(section_.size(), kNone), at_(layout.rows() * kLanes, kNone) {
     if (section_.empty())
         return;
     const std::vector<std::uint64_t> place = places_on_curve(groom.position);
@@ -49,7 +49,7 @@ ContactOrder::ContactOrder(const Groom& groom, const Layout& layout)
         const Slot slot = layout.slot(s);
         at_[slot.row * kLanes + slot.lane] = r;
         if (s + 1 < groom.first_section[layout.wisp_of(s) + 1])
-            next_[r] = rank_[s + 1];
+            before_[next_[r] = rank_[s + 1]] = r;
     }
 }
 

@@ -23,11 +23,13 @@ class ContactOrder {
     std::uint32_t section(std::uint32_t rank) const { return section_[rank]; }
     /// The rank of the section after, toward the tip; kNone at a tip.
     std::uint32_t next(std::uint32_t rank) const { return next_[rank]; }
+    /// The rank of the section before, toward the root; kNone at a root.
+    std::uint32_t before(std::uint32_t rank) const { return before_[rank]; }
     /// The sixteen ranks of a packet's row; kNone where a lane has no section.
     const std::uint32_t* row(std::size_t r) const { return at_.data() + r * kLanes; }
 
   private:
-    std::vector<std::uint32_t> section_, rank_, next_, at_;
+    std::vector<std::uint32_t> section_, rank_, next_, before_, at_;
 };
 
 } // namespace mane

@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "interactions/contact_points.cpp"
 #include <hwy/foreach_target.h>
 
-#include "base/pack-inl.h"
+#include "base/blocks-inl.h"
 
 #include <algorithm>
 
@@ -107,15 +107,6 @@ HWY_INLINE void take_row(const HairView& hair, ContactPoints& points, std::size_
     lanes.put(area, points.area);
 }
 
-void take_places(const HairView& hair, ContactPoints& points, std::size_t first, std::size_t last) {
-    for (std::size_t p = first; p < last; ++p) {
-        const Packet& packet = hair.layout.packets()[p];
-        for (std::size_t row = packet.first_row; row < packet.first_row + packet.rows; ++row)
-            for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes)
-                take_row(hair, points, row, lane, row == packet.first_row);
-    }
-}
-
 void find_directions(ContactPoints& points, std::size_t first, std::size_t last) {
     for (std::size_t r = first; r < last; ++r) {
         const auto rank = static_cast<std::uint32_t>(r);
@@ -133,31 +124,116 @@ void find_directions(ContactPoints& points, std::size_t first, std::size_t last)
     }
 }
 
-void take_velocities(const HairView& hair, ContactPoints& points, std::size_t first,
-                     std::size_t last) {
+/// Four numbers per lane, from rows to ranks and back.
+HWY_INLINE void to_ranks(const Pack* row, const std::uint32_t* rank, std::size_t stride,
+                         Four* target) {
+    alignas(64) Four lanes[kPackLanes];
+    hn::StoreInterleaved4(row[0].v, row[1].v, row[2].v, row[3].v, Tag(),
+                          reinterpret_cast<float*>(lanes));
+    for (std::size_t lane = 0; lane < kPackLanes; ++lane)
+        if (rank[lane] != ContactOrder::kNone)
+            target[rank[lane] * stride] = lanes[lane];
+}
+HWY_INLINE void from_ranks(const Four* source, std::size_t stride, const std::uint32_t* rank,
+                           Pack* row) {
+    alignas(64) Four lanes[kPackLanes];
+    for (std::size_t lane = 0; lane < kPackLanes; ++lane)
+        lanes[lane] = rank[lane] != ContactOrder::kNone ? source[rank[lane] * stride] : Four{};
+    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(lanes), row[0].v, row[1].v,
+                         row[2].v, row[3].v);
+}
+
+/// Calls `work` with the row and first lane of all vectors of packets [first, last).
+template <typename Work>
+HWY_INLINE void for_rows(const Layout& layout, std::size_t first, std::size_t last, Work&& work) {
     for (std::size_t p = first; p < last; ++p) {
-        const Packet& packet = hair.layout.packets()[p];
-        for (std::size_t row = packet.first_row; row < packet.first_row + packet.rows; ++row) {
-            for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                const std::uint32_t rank = points.order.row(row)[lane];
-                if (rank == ContactOrder::kNone)
-                    continue;
-                const float *v = hair.state.velocity.row(row) + lane,
-                            *rate = hair.state.radius_rate.row(row) + lane;
-                const Four skeleton{v[0], v[kLanes], v[2 * kLanes], 0};
-                std::size_t at = points.place(rank);
-                points.velocity[at] = skeleton;
-                for (std::size_t k = 0; k + 1 < points.per_section; ++k) {
-                    at += kLanes;
-                    points.velocity[at] = skeleton + points.half_line[at] * four(rate[k * kLanes]);
-                }
+        const Packet& packet = layout.packets()[p];
+        for (std::size_t row = packet.first_row; row < packet.first_row + packet.rows; ++row)
+            for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes)
+                work(row, lane);
+    }
+}
+
+void take_motion(const HairView& hair, ContactPoints& points, std::size_t first,
+                 std::size_t last) {
+    SectionMotion& motion = points.motion;
+    const std::size_t k_count = points.per_section - 1;
+    for_rows(hair.layout, first, last, [&](std::size_t row, std::size_t lane) {
+        const std::uint32_t* rank = points.order.row(row) + lane;
+        const Pack3 v = Pack3::load(hair.state.velocity.row(row) + lane);
+        const Pack none(0.f), skeleton[4] = {v.x, v.y, v.z, none};
+        to_ranks(skeleton, rank, 1, motion.skeleton.data());
+        for (std::size_t f = 0; f < motion.fours; ++f) {
+            Pack rates[4];
+            for (std::size_t i = 0; i < 4; ++i)
+                rates[i] = 4 * f + i < k_count ? Pack::load(hair.state.radius_rate.row(row) +
+                                                            (4 * f + i) * kLanes + lane)
+                                               : none;
+            to_ranks(rates, rank, motion.fours, motion.rate.data() + f);
+        }
+    });
+}
+
+void take_places(const HairView& hair, ContactPoints& points, std::size_t first, std::size_t last) {
+    for (std::size_t p = first; p < last; ++p) {
+        const std::size_t in_head = hair.layout.packets()[p].first_row;
+        for_rows(hair.layout, p, p + 1, [&](std::size_t row, std::size_t lane) {
+            take_row(hair, points, row, lane, row == in_head);
+        });
+    }
+}
+
+/// An envelope point moves with its skeleton point, and along its half line.
+template <int kPlace>
+HWY_INLINE void find_envelope_velocities(ContactPoints& points, std::size_t bunch,
+                                         std::uint32_t code) {
+    const SectionMotion& motion = points.motion;
+    const std::size_t rank = bunch * kLanes, fours = motion.fours, f = (code - 1) / 4;
+    const std::size_t place = points.place(static_cast<std::uint32_t>(rank), code);
+    for (std::size_t i = 0; i < kLanes; i += Blocks::kCount) {
+        const Blocks rates = Blocks::every(motion.rate.data() + (rank + i) * fours + f, fours);
+        const Blocks v = Blocks::load(motion.skeleton.data() + rank + i) +
+                         Blocks::load(points.half_line.data() + place + i) * rates.all<kPlace>();
+        v.store(points.velocity.data() + place + i);
+    }
+}
+
+void find_velocities(ContactPoints& points, std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
+        std::copy_n(points.motion.skeleton.data() + b * kLanes, std::size_t{kLanes},
+                    points.velocity.data() + points.place(static_cast<std::uint32_t>(b * kLanes)));
+        for (std::uint32_t code = 1; code < points.per_section; ++code) {
+            switch ((code - 1) % 4) {
+            case 0: find_envelope_velocities<0>(points, b, code); break;
+            case 1: find_envelope_velocities<1>(points, b, code); break;
+            case 2: find_envelope_velocities<2>(points, b, code); break;
+            default: find_envelope_velocities<3>(points, b, code);
             }
         }
     }
 }
 
+void add_motion(const ContactPoints& points, const Layout& layout, const SectionMotion& change,
+                State& state, std::size_t first, std::size_t last) {
+    const std::size_t k_count = points.per_section - 1;
+    for_rows(layout, first, last, [&](std::size_t row, std::size_t lane) {
+        const std::uint32_t* rank = points.order.row(row) + lane;
+        Pack by[4];
+        from_ranks(change.skeleton.data(), 1, rank, by);
+        float* velocity = state.velocity.row(row) + lane;
+        (Pack3::load(velocity) + Pack3{by[0], by[1], by[2]}).store(velocity);
+        for (std::size_t f = 0; f < change.fours; ++f) {
+            from_ranks(change.rate.data() + f, change.fours, rank, by);
+            for (std::size_t i = 0; i < 4 && 4 * f + i < k_count; ++i) {
+                float* rate = state.radius_rate.row(row) + (4 * f + i) * kLanes + lane;
+                (Pack::load(rate) + by[i]).store(rate);
+            }
+        }
+    });
+}
+
 ContactPointKernels point_kernels() {
-    return {take_places, find_directions, take_velocities};
+    return {take_places, find_directions, take_motion, find_velocities, add_motion};
 }
 
 } // namespace mane::HWY_NAMESPACE
@@ -193,11 +269,12 @@ ContactPoints contact_points(const HairView& hair) {
         p.wisp.push_back(hair.layout.wisp_of(section));
         p.held.push_back(hair.layout.simulated(section) ? 0 : 1);
     }
+    p.motion.resize(p.padded_ranks(), groom.envelope_points);
     for (AlignedVector<Four>* per_rank :
          {&p.position, &p.normal, &p.second_axis, &p.low, &p.high, &p.direction})
-        per_rank->assign(ranks, Four{});
+        per_rank->assign(p.padded_ranks(), Four{});
     for (AlignedVector<float>* per_rank : {&p.area, &p.slenderness})
-        per_rank->assign(ranks, 0.f);
+        per_rank->assign(p.padded_ranks(), 0.f);
     for (AlignedVector<float>* per_place : {&p.x, &p.y, &p.z})
         per_place->assign(p.places(), kFarAway);
     p.radius.assign(p.places(), 0.f);

@@ -11,6 +11,20 @@
 
 namespace mane {
 
+/// How the sections move, or what changes it, by rank: the skeleton point's velocity [m/s] and
+/// four by four the radius rates [m/s].
+struct SectionMotion {
+    AlignedVector<Four> skeleton;
+    AlignedVector<Four> rate; ///< `fours` per rank
+    std::uint32_t fours = 0;
+
+    void resize(std::size_t ranks, std::uint32_t envelope_points) {
+        fours = (envelope_points + 3) / 4;
+        skeleton.assign(ranks, Four{});
+        rate.assign(ranks * fours, Four{});
+    }
+};
+
 /// All points of the hair that can be in contact, by rank (ContactOrder). Sixteen ranks are a
 /// *bunch*: their points lie side by side, first the sixteen skeleton points, then the sixteen
 /// first envelope points and so on, so that one vector operation asks something of sixteen. A
@@ -37,8 +51,11 @@ struct ContactPoints {
     AlignedVector<Four> half_line; ///< per place; zero but for envelope points
 
     // of a step
+    SectionMotion motion;
     AlignedVector<Four> velocity; ///< per place; room for more behind
 
+    /// Ranks with those that fill the last bunch.
+    std::size_t padded_ranks() const { return std::size_t{bunches()} * kLanes; }
     std::uint32_t bunches() const { return (order.size() + kLanes - 1) / kLanes; }
     std::uint32_t places() const { return bunches() * per_section * kLanes; }
     std::uint32_t place(std::uint32_t rank, std::uint32_t code = 0) const {
@@ -57,8 +74,14 @@ struct ContactPointKernels {
                         std::size_t last_packet);
     /// Of the segments that begin at these ranks, from those.
     void (*find_directions)(ContactPoints&, std::size_t first_rank, std::size_t last_rank);
-    void (*take_velocities)(const HairView&, ContactPoints&, std::size_t first_packet,
-                            std::size_t last_packet);
+    /// Velocities and radius rates of now.
+    void (*take_motion)(const HairView&, ContactPoints&, std::size_t first_packet,
+                        std::size_t last_packet);
+    /// Velocities of all points of bunches [first, last), from those.
+    void (*find_velocities)(ContactPoints&, std::size_t first_bunch, std::size_t last_bunch);
+    /// Adds a change to velocities and radius rates.
+    void (*add_motion)(const ContactPoints&, const Layout&, const SectionMotion& change, State&,
+                       std::size_t first_packet, std::size_t last_packet);
 };
 /// For an instruction set by name, or the machine's best for "".
 ContactPointKernels contact_point_kernels(const std::string& instruction_set);

@@ -182,70 +182,81 @@ void find_impulses(const ContactPoints& p, WispAnswers& a, std::size_t first, st
 }
 
 /// The impulses on a section: of its skeleton point, and along its half lines.
-struct SectionImpulse {
+template <int kFours> struct SectionImpulse {
     Four skeleton;
-    float envelope[kMaxEnvelopePoints];
+    Four along[kFours];
+
+    HWY_INLINE float on_envelope(std::uint32_t k) const { return along[k / 4][k % 4]; }
 };
 
-HWY_INLINE SectionImpulse gather_section(const ContactPoints& p, const WispAnswers& a,
-                                         std::uint32_t rank, Four on_segments) {
-    SectionImpulse sum{on_segments, {}};
-    float along[kMaxEnvelopePoints + 1] = {};
+/// Four numbers of which one is 1: the envelope point of a code; none for a skeleton point.
+template <int kFours> HWY_INLINE const Four* point_of(std::uint32_t code) {
+    alignas(64) static constexpr Four kPoint[9][kFours] = {
+        {{0, 0, 0, 0}}, {{1, 0, 0, 0}}, {{0, 1, 0, 0}}, {{0, 0, 1, 0}}, {{0, 0, 0, 1}}};
+    return kPoint[code];
+}
+template <> HWY_INLINE const Four* point_of<2>(std::uint32_t code) {
+    alignas(64) static constexpr Four kPoint[9][2] = {
+        {{0, 0, 0, 0}, {0, 0, 0, 0}}, {{1, 0, 0, 0}, {0, 0, 0, 0}}, {{0, 1, 0, 0}, {0, 0, 0, 0}},
+        {{0, 0, 1, 0}, {0, 0, 0, 0}}, {{0, 0, 0, 1}, {0, 0, 0, 0}}, {{0, 0, 0, 0}, {1, 0, 0, 0}},
+        {{0, 0, 0, 0}, {0, 1, 0, 0}}, {{0, 0, 0, 0}, {0, 0, 1, 0}}, {{0, 0, 0, 0}, {0, 0, 0, 1}}};
+    return kPoint[code];
+}
+
+template <int kFours>
+HWY_INLINE SectionImpulse<kFours> gather_section(const ContactPoints& p, const WispAnswers& a,
+                                                 std::uint32_t rank) {
+    SectionImpulse<kFours> sum{a.near[rank], {}};
+    if (p.order.before(rank) != ContactOrder::kNone)
+        sum.skeleton += a.far[p.order.before(rank)];
     for (std::uint32_t i = a.at_section.first(rank); i < a.at_section.last(rank); ++i) {
         const std::uint32_t entry = a.entry[i];
         const Four& j = a.impulse[entry / 16];
+        const Four* point = point_of<kFours>(entry % 16);
         sum.skeleton += j;
-        along[entry % 16] += j[3];
+        for (int f = 0; f < kFours; ++f)
+            sum.along[f] += four(j[3]) * point[f];
     }
     for (std::uint32_t i = a.axes_at.first(rank); i < a.axes_at.last(rank); ++i)
         sum.skeleton += a.impulse[a.axis_share[i].slot] * four(a.axis_share[i].share);
-    for (std::uint32_t code = 1; code < p.per_section; ++code) {
-        sum.envelope[code - 1] = along[code];
-        sum.skeleton -= p.half_line[p.place(rank, code)] * four(along[code]);
-    }
+    for (std::uint32_t k = 0; k + 1 < p.per_section; ++k)
+        sum.skeleton -= p.half_line[p.place(rank, k + 1)] * four(sum.on_envelope(k));
     return sum;
 }
 
 /// An envelope point takes the part along its half line, the skeleton point the rest (M27); the
 /// others keep their own motion.
-HWY_INLINE void push_section(const ContactPoints& p, const WispAnswers& a, std::uint32_t rank,
-                             const SectionImpulse& j, float* velocity, float* rate) {
+template <int kFours>
+HWY_INLINE void change_section(const ContactPoints& p, WispAnswers& a, std::uint32_t rank) {
+    const SectionImpulse<kFours> j = gather_section<kFours>(p, a, rank);
     const WispAnswers::InverseMass& mass = a.inverse_mass[rank];
     const Four& normal = p.normal[rank];
     const Four change =
         j.skeleton * four(mass.across) + normal * four(mane::dot(normal, j.skeleton) * mass.extra);
-    for (std::size_t c = 0; c < 3; ++c)
-        velocity[c * kLanes] += change[c];
-    for (std::uint32_t k = 0; k + 1 < p.per_section; ++k)
-        rate[k * kLanes] +=
-            j.envelope[k] * mass.envelope - mane::dot(p.half_line[p.place(rank, k + 1)], change);
-}
-
-void push_sections(const ContactPoints& points, const WispAnswers& a, const Layout& layout,
-                   State& state, std::size_t first, std::size_t last) {
-    for (std::size_t p = first; p < last; ++p) {
-        const Packet& packet = layout.packets()[p];
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            Four far{}; // from root to tip: a section is the far end of the segment before
-            for (std::size_t row = packet.first_row; row < packet.first_row + packet.sections[lane];
-                 ++row) {
-                const std::uint32_t rank = points.order.row(row)[lane];
-                if (!a.takes_part[rank]) {
-                    far = Four{};
-                    continue;
-                }
-                if (!points.held[rank])
-                    push_section(points, a, rank,
-                                 gather_section(points, a, rank, a.near[rank] + far),
-                                 state.velocity.row(row) + lane, state.radius_rate.row(row) + lane);
-                far = a.far[rank];
-            }
-        }
+    a.change.skeleton[rank] = change;
+    for (int f = 0; f < kFours; ++f) {
+        Four follows{};
+        for (std::uint32_t i = 0; i < 4 && 4 * f + i + 1 < p.per_section; ++i)
+            follows[i] = mane::dot(p.half_line[p.place(rank, 4 * f + i + 1)], change);
+        a.change.rate[rank * kFours + f] = j.along[f] * four(mass.envelope) - follows;
     }
 }
 
+template <int kFours>
+void find_changes_of(const ContactPoints& p, WispAnswers& a, std::size_t first, std::size_t last) {
+    for (std::size_t r = first; r < last; ++r) {
+        const auto rank = static_cast<std::uint32_t>(r);
+        if (a.takes_part[rank] && !p.held[rank])
+            change_section<kFours>(p, a, rank);
+    }
+}
+
+void find_changes(const ContactPoints& p, WispAnswers& a, std::size_t first, std::size_t last) {
+    (a.change.fours == 1 ? find_changes_of<1> : find_changes_of<2>)(p, a, first, last);
+}
+
 WispAnswerKernels wisp_answers() {
-    return {find_matrices, find_impulses, push_sections};
+    return {find_matrices, find_impulses, find_changes};
 }
 
 } // namespace mane::HWY_NAMESPACE

@@ -66,6 +66,7 @@ struct WispAnswers {
     // of a step
     AlignedVector<Four> impulse;   ///< per slot: on the point, and its part along the half line
     AlignedVector<Four> near, far; ///< per rank: on the ends of the segment that begins there
+    SectionMotion change;
 };
 
 /// The work on them, on ranks or packets [first, last), compiled once per instruction set. All give
@@ -77,9 +78,9 @@ struct WispAnswerKernels {
     /// Impulses of the contacts of the segments that begin at these ranks.
     void (*find_impulses)(const ContactPoints&, WispAnswers&, std::size_t first_rank,
                           std::size_t last_rank);
-    /// What they do to velocities and radius rates.
-    void (*push_sections)(const ContactPoints&, const WispAnswers&, const Layout&, State&,
-                          std::size_t first_packet, std::size_t last_packet);
+    /// What they change at the sections of these ranks.
+    void (*find_changes)(const ContactPoints&, WispAnswers&, std::size_t first_rank,
+                         std::size_t last_rank);
 };
 /// For an instruction set by name, or the machine's best for "".
 WispAnswerKernels wisp_answer_kernels(const std::string& instruction_set);

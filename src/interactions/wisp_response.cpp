@@ -9,7 +9,6 @@ namespace mane {
 namespace {
 
 constexpr std::size_t kRanksPerChunk = 512;
-constexpr std::size_t kPacketsPerChunk = 8;
 constexpr std::uint32_t kQuad = 4;
 
 std::uint32_t whole_quads(std::uint32_t contacts) {
@@ -46,6 +45,7 @@ void WispResponse::engage(const HairView& hair, ContactGeometry& geometry,
     sort_by_section(points.order);
     answers_.near.assign(ranks, Four{});
     answers_.far.assign(ranks, Four{});
+    answers_.change.resize(points.padded_ranks(), points.per_section - 1); // of others, none
     answers_.impulse.resize(answers_.place.size());
     for (AlignedVector<Four>& column : answers_.matrix)
         column.assign(answers_.place.size(), Four{}); // those of weight 0 stay
@@ -204,10 +204,11 @@ void WispResponse::apply(const HairView& hair, ContactGeometry& geometry, State&
                        [&](std::size_t first, std::size_t last) {
                            kernels_.find_impulses(points, answers_, first, last);
                        });
-    threads.run_ranges(
-        hair.layout.packets().size(), kPacketsPerChunk, [&](std::size_t first, std::size_t last) {
-            kernels_.push_sections(points, answers_, hair.layout, state, first, last);
-        });
+    threads.run_ranges(points.order.size(), kRanksPerChunk,
+                       [&](std::size_t first, std::size_t last) {
+                           kernels_.find_changes(points, answers_, first, last);
+                       });
+    geometry.add_to(state, hair.layout, answers_.change, threads);
 }
 
 /// Of the points of axis contacts, from their segments' ends.
