@@ -68,11 +68,7 @@ float density_at(const ContactPoints& points, std::uint32_t rank, std::uint32_t 
 } // namespace
 
 std::optional<AxisContact> axis_contact(const ContactPoints& points, std::uint32_t first,
-                                        std::uint32_t second, float least_sine) {
-    const Vec3 n =
-        cross(first_three(points.direction[first]), first_three(points.direction[second]));
-    if (dot(n, n) < least_sine * least_sine)
-        return {};
+                                        std::uint32_t second) {
     const std::uint32_t first_end = points.order.next(first),
                         second_end = points.order.next(second);
     const auto position = [&](std::uint32_t rank) { return first_three(points.position[rank]); };

@@ -16,10 +16,10 @@ struct AxisContact {
 
 /// Ours, beyond the paper's footnote: thin segments can cross without a point of one inside the
 /// other. The contact of the axes of two segments, by the ranks at which they begin: empty where
-/// they are farther apart than their radii, nearest beyond an end, or nearer to parallel than an
-/// angle of sine `least_sine`, as such axes have no one closest place and their points find each
-/// other.
+/// they are farther apart than their radii, or nearest beyond an end. (Of axes that are almost
+/// parallel it should not be asked: they have no one closest place, and their points find each
+/// other.)
 std::optional<AxisContact> axis_contact(const ContactPoints& points, std::uint32_t first,
-                                        std::uint32_t second, float least_sine);
+                                        std::uint32_t second);
 
 } // namespace mane

@@ -21,6 +21,20 @@ class BoxTree {
     struct Node {
         alignas(64) float low_x[kLanes];
         float low_y[kLanes], low_z[kLanes], high_x[kLanes], high_y[kLanes], high_z[kLanes];
+
+        Box box(std::size_t c) const {
+            return {{low_x[c], low_y[c], low_z[c]}, {high_x[c], high_y[c], high_z[c]}};
+        }
+        void set(std::size_t c, const Box& box) {
+            low_x[c] = box.low.x, low_y[c] = box.low.y, low_z[c] = box.low.z;
+            high_x[c] = box.high.x, high_y[c] = box.high.y, high_z[c] = box.high.z;
+        }
+        void clear() {
+            for (std::size_t c = 0; c < kLanes; ++c)
+                set(c, Box::nowhere());
+        }
+        /// The box of all.
+        Box hull() const;
     };
 
     /// Takes the boxes of now.

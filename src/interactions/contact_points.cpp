@@ -139,8 +139,8 @@ HWY_INLINE void from_ranks(const Four* source, std::size_t stride, const std::ui
     alignas(64) Four lanes[kPackLanes];
     for (std::size_t lane = 0; lane < kPackLanes; ++lane)
         lanes[lane] = rank[lane] != ContactOrder::kNone ? source[rank[lane] * stride] : Four{};
-    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(lanes), row[0].v, row[1].v,
-                         row[2].v, row[3].v);
+    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(lanes), row[0].v, row[1].v, row[2].v,
+                         row[3].v);
 }
 
 /// Calls `work` with the row and first lane of all vectors of packets [first, last).
@@ -154,8 +154,7 @@ HWY_INLINE void for_rows(const Layout& layout, std::size_t first, std::size_t la
     }
 }
 
-void take_motion(const HairView& hair, ContactPoints& points, std::size_t first,
-                 std::size_t last) {
+void take_motion(const HairView& hair, ContactPoints& points, std::size_t first, std::size_t last) {
     SectionMotion& motion = points.motion;
     const std::size_t k_count = points.per_section - 1;
     for_rows(hair.layout, first, last, [&](std::size_t row, std::size_t lane) {
@@ -166,9 +165,10 @@ void take_motion(const HairView& hair, ContactPoints& points, std::size_t first,
         for (std::size_t f = 0; f < motion.fours; ++f) {
             Pack rates[4];
             for (std::size_t i = 0; i < 4; ++i)
-                rates[i] = 4 * f + i < k_count ? Pack::load(hair.state.radius_rate.row(row) +
-                                                            (4 * f + i) * kLanes + lane)
-                                               : none;
+                rates[i] =
+                    4 * f + i < k_count
+                        ? Pack::load(hair.state.radius_rate.row(row) + (4 * f + i) * kLanes + lane)
+                        : none;
             to_ranks(rates, rank, motion.fours, motion.rate.data() + f);
         }
     });
@@ -184,9 +184,8 @@ void take_places(const HairView& hair, ContactPoints& points, std::size_t first,
 }
 
 /// An envelope point moves with its skeleton point, and along its half line.
-template <int kPlace>
-HWY_INLINE void find_envelope_velocities(ContactPoints& points, std::size_t bunch,
-                                         std::uint32_t code) {
+template <int kPlace> HWY_INLINE void
+find_envelope_velocities(ContactPoints& points, std::size_t bunch, std::uint32_t code) {
     const SectionMotion& motion = points.motion;
     const std::size_t rank = bunch * kLanes, fours = motion.fours, f = (code - 1) / 4;
     const std::size_t place = points.place(static_cast<std::uint32_t>(rank), code);
@@ -204,10 +203,17 @@ void find_velocities(ContactPoints& points, std::size_t first, std::size_t last)
                     points.velocity.data() + points.place(static_cast<std::uint32_t>(b * kLanes)));
         for (std::uint32_t code = 1; code < points.per_section; ++code) {
             switch ((code - 1) % 4) {
-            case 0: find_envelope_velocities<0>(points, b, code); break;
-            case 1: find_envelope_velocities<1>(points, b, code); break;
-            case 2: find_envelope_velocities<2>(points, b, code); break;
-            default: find_envelope_velocities<3>(points, b, code);
+            case 0:
+                find_envelope_velocities<0>(points, b, code);
+                break;
+            case 1:
+                find_envelope_velocities<1>(points, b, code);
+                break;
+            case 2:
+                find_envelope_velocities<2>(points, b, code);
+                break;
+            default:
+                find_envelope_velocities<3>(points, b, code);
             }
         }
     }

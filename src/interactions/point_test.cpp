@@ -156,16 +156,16 @@ HWY_INLINE std::uint32_t children_in(const BoxTree::Node& node, const Box& box) 
     return bits;
 }
 
-std::size_t overlapping(const BoxTree& tree, const Box& box, std::uint32_t* items,
-                        std::size_t capacity) {
+/// Calls `found(node, child)` for the boxes of the tree that overlap `box`, in rising order.
+template <typename Found>
+HWY_INLINE void for_overlapping(const BoxTree& tree, const Box& box, Found&& found) {
     struct Visit {
         std::uint32_t node, left; // of its children in the box, those not yet visited
     };
     constexpr std::size_t kMostLevels = 9; // of a tree of 2³² boxes, and one
     Visit stack[kMostLevels];
-    std::size_t count = 0;
     if (tree.levels() == 0)
-        return 0;
+        return;
     const std::size_t top = tree.levels() - 1;
     std::size_t level = top;
     stack[top] = {0, children_in(tree.node(top, 0), box)};
@@ -173,22 +173,43 @@ std::size_t overlapping(const BoxTree& tree, const Box& box, std::uint32_t* item
         Visit& now = stack[level];
         if (now.left == 0) {
             if (level == top)
-                return count;
+                return;
             ++level;
             continue;
         }
         const auto child = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(now.left));
         now.left &= now.left - 1;
         if (level == 0) {
-            if (count < capacity)
-                items[count] = now.node * kLanes + child;
-            ++count;
+            found(now.node, child);
         } else {
             const std::uint32_t node = now.node * kLanes + child;
             --level;
             stack[level] = {node, children_in(tree.node(level, node), box)};
         }
     }
+}
+
+void gather(const BoxTree& tree, const Box& box, NearBoxes& near) {
+    near.items.clear();
+    for_overlapping(tree, box, [&](std::uint32_t node, std::uint32_t child) {
+        const std::size_t at = near.items.size(), n = at / kLanes, c = at % kLanes;
+        if (c == 0) {
+            if (near.nodes.size() == n)
+                near.nodes.emplace_back();
+            near.nodes[n].clear();
+        }
+        near.nodes[n].set(c, tree.node(0, node).box(child));
+        near.items.push_back(node * kLanes + child);
+    });
+}
+
+std::size_t among(const NearBoxes& near, const Box& box, std::uint32_t* items) {
+    std::size_t count = 0;
+    for (std::size_t first = 0; first < near.items.size(); first += kLanes)
+        for (std::uint32_t bits = children_in(near.nodes[first / kLanes], box); bits != 0;
+             bits &= bits - 1)
+            items[count++] = near.items[first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
+    return count;
 }
 
 using Whole = hn::RebindToSigned<Tag>;
@@ -353,8 +374,27 @@ void classify(const ContactPoints& points, std::uint32_t rank, const ParallelLim
     }
 }
 
+std::uint32_t crossing(const ContactPoints& points, const BoxTree::Node& boxes, std::uint32_t bunch,
+                       std::uint32_t rank, float least_sine) {
+    const std::uint32_t overlap = children_in(boxes, segment_box(points, rank));
+    if (overlap == 0)
+        return 0;
+    const Pack3 axis = broadcast(first_three(points.direction[rank]));
+    std::uint32_t aslant = 0;
+    for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
+        Pack3 other;
+        Pack spare;
+        hn::LoadInterleaved4(
+            Tag(), reinterpret_cast<const float*>(points.direction.data() + bunch * kLanes + lane),
+            other.x.v, other.y.v, other.z.v, spare.v);
+        const Pack3 n = cross(axis, other);
+        aslant |= bits_of({hn::Not((dot(n, n) < Pack(least_sine * least_sine)).m)}) << lane;
+    }
+    return overlap & aslant;
+}
+
 PointTest point_test() {
-    return {hulls, overlapping, find, classify};
+    return {hulls, gather, among, find, classify, crossing};
 }
 
 } // namespace mane::HWY_NAMESPACE

@@ -40,15 +40,22 @@ struct ParallelLimits {
     float sine_fade = 0; ///< under it their plane is undefined, and only the first counts
 };
 
-/// The search for points inside a segment's volume, compiled once per instruction set. All give the
-/// same bits.
+/// Some boxes by sixteen, and what they are the boxes of: what is near a group of segments.
+struct NearBoxes {
+    AlignedVector<BoxTree::Node> nodes;
+    std::vector<std::uint32_t> items;
+};
+
+/// The search for points inside a segment's volume, and for axes that cross it, compiled once per
+/// instruction set. All give the same bits.
 struct PointTest {
     /// The boxes of all points of bunches [first, last).
     void (*hulls)(const ContactPoints& points, Box* hulls, std::size_t first, std::size_t last);
-    /// Writes the items whose boxes overlap `box`, in rising order, as far as they fit into
-    /// `capacity`, and returns how many they are.
-    std::size_t (*overlapping)(const BoxTree& tree, const Box& box, std::uint32_t* items,
-                               std::size_t capacity);
+    /// Gathers the boxes that overlap `box`.
+    void (*gather)(const BoxTree& tree, const Box& box, NearBoxes& near);
+    /// Writes the items of those that overlap a smaller box; there is room for all. Returns how
+    /// many they are.
+    std::size_t (*among)(const NearBoxes& near, const Box& box, std::uint32_t* items);
     /// Appends the points of `bunches` inside the volume of the segment that begins at `rank`, but
     /// for its own two sections', in the order of bunches, codes and ranks.
     void (*find)(const ContactPoints& points, std::uint32_t rank,
@@ -56,6 +63,10 @@ struct PointTest {
     /// Tells which of them, from `first` on, are quasi-parallel to it.
     void (*classify)(const ContactPoints& points, std::uint32_t rank, const ParallelLimits& limits,
                      PointsInside& found, std::size_t first);
+    /// The segments of a bunch, one bit per rank, whose boxes overlap that of the segment at
+    /// `rank`, and whose directions differ from its own by an angle of at least `least_sine`.
+    std::uint32_t (*crossing)(const ContactPoints& points, const BoxTree::Node& boxes,
+                              std::uint32_t bunch, std::uint32_t rank, float least_sine);
 };
 /// For an instruction set by name, or the machine's best for "".
 PointTest point_test_for(const std::string& instruction_set);

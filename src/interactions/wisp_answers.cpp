@@ -203,9 +203,8 @@ template <> HWY_INLINE const Four* point_of<2>(std::uint32_t code) {
     return kPoint[code];
 }
 
-template <int kFours>
-HWY_INLINE SectionImpulse<kFours> gather_section(const ContactPoints& p, const WispAnswers& a,
-                                                 std::uint32_t rank) {
+template <int kFours> HWY_INLINE SectionImpulse<kFours>
+gather_section(const ContactPoints& p, const WispAnswers& a, std::uint32_t rank) {
     SectionImpulse<kFours> sum{a.near[rank], {}};
     if (p.order.before(rank) != ContactOrder::kNone)
         sum.skeleton += a.far[p.order.before(rank)];

@@ -4,12 +4,14 @@
 #include "interactions/axis_test.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace mane {
 namespace {
 
-constexpr std::size_t kSegmentsPerChunk = 128;
+constexpr std::size_t kSegmentsPerGroup = 16;
+constexpr std::size_t kSegmentsPerChunk = 8 * kSegmentsPerGroup;
 constexpr std::size_t kBunchesPerChunk = 64;
 
 float sine_of(double degrees) {
@@ -75,15 +77,13 @@ WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablati
       point_test_(point_test_for(instruction_set)) {}
 
 void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads) {
-    if (segments_.empty()) {
-        for (std::uint32_t r = 0; r < points.order.size(); ++r)
-            if (points.order.next(r) != ContactOrder::kNone &&
-                hair.layout.simulated(points.order.section(r) + 1))
-                segments_.push_back(r);
-        first_.assign(segments_.size() + 1, 0);
-        earlier_first_ = first_;
-    }
+    if (first_.empty())
+        list_segments(hair, points);
     place_boxes(points, threads);
+    any_slender_ = std::any_of(segments_.begin(), segments_.end(),
+                               [&](std::uint32_t rank) { return slender(points, rank); });
+    if (any_slender_)
+        place_axes(points, threads);
     std::swap(contacts_, earlier_);
     std::swap(first_, earlier_first_);
     earlier_axes_ = axes_;
@@ -93,24 +93,34 @@ void WispDetection::detect(const HairView& hair, const ContactPoints& points, Th
     count_pairs(points.order.size());
 }
 
-void WispDetection::place_boxes(const ContactPoints& points, Threads& threads) {
-    boxes_.resize(points.bunches());
-    threads.run(chunks_of(boxes_.size(), kBunchesPerChunk), [&](std::size_t c) {
-        point_test_.hulls(points, boxes_.data(), c * kBunchesPerChunk,
-                          std::min(boxes_.size(), (c + 1) * kBunchesPerChunk));
-    });
-    bunch_tree_.update(boxes_);
+void WispDetection::list_segments(const HairView& hair, const ContactPoints& points) {
+    for (std::uint32_t r = 0; r < points.order.size(); ++r)
+        if (points.order.next(r) != ContactOrder::kNone &&
+            hair.layout.simulated(points.order.section(r) + 1))
+            segments_.push_back(r);
+    first_.assign(segments_.size() + 1, 0);
+    earlier_first_ = first_;
+}
 
-    const auto slender = [&](std::uint32_t rank) {
-        return points.slenderness[rank] > desc_.axis_contact_ratio;
-    };
-    any_slender_ = std::any_of(segments_.begin(), segments_.end(), slender);
-    if (!any_slender_)
-        return;
-    boxes_.assign(points.order.size(), Box::nowhere());
+void WispDetection::place_boxes(const ContactPoints& points, Threads& threads) {
+    hulls_.resize(points.bunches());
+    threads.run_ranges(hulls_.size(), kBunchesPerChunk, [&](std::size_t first, std::size_t last) {
+        point_test_.hulls(points, hulls_.data(), first, last);
+    });
+    bunch_tree_.update(hulls_);
+}
+
+void WispDetection::place_axes(const ContactPoints& points, Threads& threads) {
+    segment_boxes_.resize(points.bunches());
+    for (BoxTree::Node& boxes : segment_boxes_)
+        boxes.clear();
     for (const std::uint32_t rank : segments_)
-        boxes_[rank] = segment_box(points, rank);
-    segment_tree_.update(boxes_);
+        segment_boxes_[rank / kLanes].set(rank % kLanes, segment_box(points, rank));
+    threads.run_ranges(hulls_.size(), kBunchesPerChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t b = first; b < last; ++b)
+            hulls_[b] = segment_boxes_[b].hull();
+    });
+    segment_tree_.update(hulls_);
 }
 
 void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points,
@@ -119,50 +129,66 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
     found.contacts.clear();
     found.axes.clear();
     found.pairs.clear();
-    const std::size_t last = std::min(segments_.size(), (chunk + 1) * kSegmentsPerChunk);
-    for (std::size_t i = chunk * kSegmentsPerChunk; i < last; ++i) {
-        const std::uint32_t rank = segments_[i], segment = points.order.section(rank);
-        const std::size_t before = found.contacts.size();
-        find_points(hair, points, rank, found);
-        Earlier earlier(points, std::span(earlier_).subspan(
-                                    earlier_first_[i], earlier_first_[i + 1] - earlier_first_[i]));
-        std::uint32_t counted = ~0u; // points of a section often follow each other
-        for (std::size_t p = 0; p < found.inside.count; ++p) {
-            const std::uint32_t point = found.inside.point[p], at = point / 16, code = point % 16,
-                                section = points.order.section(at);
-            const Belongs belongs = belongs_to(hair, section, segment);
-            if (!belongs.before && !belongs.after)
-                continue;
-            const bool was = earlier.friction(points.place(at, code));
-            const bool parallel = desc_.mode != WispContactMode::isotropic &&
-                                  (found.inside.parallel[p] & (was ? 2 : 1));
-            found.contacts.push_back(
-                {.section = section,
-                 .point = {static_cast<std::uint8_t>(code)},
-                 .kind = parallel ? WispContactKind::friction : WispContactKind::collision,
-                 .segment = segment,
-                 .s = found.inside.s[p],
-                 .density = found.inside.density[p],
-                 .weight = weight_at(found.inside.depth[p])});
-            if (section != counted)
-                count_pair(belongs, section, segment, found);
-            counted = section;
-        }
-        first_[i + 1] = static_cast<std::uint32_t>(found.contacts.size() - before);
-        if (any_slender_)
-            find_axes(hair, points, rank, found);
+    const std::size_t first = chunk * kSegmentsPerChunk,
+                      last = std::min(segments_.size(), first + kSegmentsPerChunk);
+    for (std::size_t i = first; i < last; ++i) {
+        if (i % kSegmentsPerGroup == 0)
+            gather_near(points, i, std::min(last, i + kSegmentsPerGroup), found);
+        first_[i + 1] = static_cast<std::uint32_t>(find_points(hair, points, i, found));
+        if (any_slender_ && slender(points, segments_[i]))
+            find_axes(hair, points, segments_[i], found);
     }
 }
 
-/// The points in the volume of a segment, but for its own sections' (M21).
-void WispDetection::find_points(const HairView& hair, const ContactPoints& points,
-                                std::uint32_t rank, Found& found) const {
-    static_cast<void>(hair);
+/// Segments that follow each other are near each other: what is near to them is looked for once.
+void WispDetection::gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
+                                Found& found) const {
+    Box hull = Box::nowhere();
+    for (std::size_t i = first; i < last; ++i) {
+        const Box box = segment_box(points, segments_[i]);
+        hull.add(box.low);
+        hull.add(box.high);
+    }
+    point_test_.gather(bunch_tree_, hull, found.near);
+    if (any_slender_)
+        point_test_.gather(segment_tree_, hull, found.near_axes);
+    found.bunches.resize(std::max(found.bunches.size(), hulls_.size()));
+}
+
+/// The points in the volume of a segment (M21). Returns how many they are.
+std::size_t WispDetection::find_points(const HairView& hair, const ContactPoints& points,
+                                       std::size_t index, Found& found) const {
+    const std::uint32_t rank = segments_[index], segment = points.order.section(rank);
+    const std::size_t bunches =
+        point_test_.among(found.near, segment_box(points, rank), found.bunches.data());
     found.inside.count = 0;
-    const std::span<const std::uint32_t> bunches =
-        overlapping(bunch_tree_, segment_box(points, rank), found);
-    point_test_.find(points, rank, bunches, found.inside);
+    point_test_.find(points, rank, {found.bunches.data(), bunches}, found.inside);
     point_test_.classify(points, rank, limits_, found.inside, 0);
+
+    const std::size_t before = found.contacts.size();
+    Earlier earlier(points,
+                    std::span(earlier_).subspan(earlier_first_[index],
+                                                earlier_first_[index + 1] - earlier_first_[index]));
+    for (std::size_t p = 0; p < found.inside.count; ++p) {
+        const std::uint32_t point = found.inside.point[p], at = point / 16, code = point % 16,
+                            section = points.order.section(at);
+        const Belongs belongs = belongs_to(hair, section, segment);
+        if (!belongs.before && !belongs.after)
+            continue;
+        const bool was = earlier.friction(points.place(at, code));
+        const bool parallel =
+            desc_.mode != WispContactMode::isotropic && (found.inside.parallel[p] & (was ? 2 : 1));
+        found.contacts.push_back(
+            {.section = section,
+             .point = {static_cast<std::uint8_t>(code)},
+             .kind = parallel ? WispContactKind::friction : WispContactKind::collision,
+             .segment = segment,
+             .s = found.inside.s[p],
+             .density = found.inside.density[p],
+             .weight = weight_at(found.inside.depth[p])});
+        count_pair(belongs, section, segment, found);
+    }
+    return found.contacts.size() - before;
 }
 
 /// A section stands for the segment before it and the one after it: which of them may touch
@@ -189,45 +215,40 @@ void WispDetection::count_pair(const Belongs& belongs, std::uint32_t section, st
         found.pairs.push_back(Pair::of(section, segment));
 }
 
-std::span<const std::uint32_t> WispDetection::overlapping(const BoxTree& tree, const Box& box,
-                                                          Found& found) const {
-    std::vector<std::uint32_t>& items = found.candidates;
-    std::size_t count = point_test_.overlapping(tree, box, items.data(), items.size());
-    if (count > items.size()) {
-        items.resize(2 * count);
-        count = point_test_.overlapping(tree, box, items.data(), items.size());
+/// Ours, beyond the paper's footnote: the axes that cross that of a slender segment.
+void WispDetection::find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
+                              Found& found) const {
+    const std::size_t bunches =
+        point_test_.among(found.near_axes, segment_box(points, rank), found.bunches.data());
+    for (std::size_t i = 0; i < bunches; ++i) {
+        const std::uint32_t bunch = found.bunches[i];
+        for (std::uint32_t bits = point_test_.crossing(points, segment_boxes_[bunch], bunch, rank,
+                                                       limits_.sine_fade);
+             bits != 0; bits &= bits - 1)
+            find_axis(hair, points, rank,
+                      bunch * kLanes + static_cast<std::uint32_t>(std::countr_zero(bits)), found);
     }
-    return {items.data(), count};
 }
 
 /// Each pair of segments of which one is slender once, from its slender side, or from the first of
 /// two. A contact is told from the earlier segment, whichever was slender.
-void WispDetection::find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
-                              Found& found) const {
-    const auto slender = [&](std::uint32_t r) {
-        return points.slenderness[r] > desc_.axis_contact_ratio;
-    };
-    if (!slender(rank))
+void WispDetection::find_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
+                              std::uint32_t other, Found& found) const {
+    const std::uint32_t a = points.order.section(rank), b = points.order.section(other);
+    if (a == b || (b < a && slender(points, other)))
         return;
-    const std::uint32_t a = points.order.section(rank);
-    for (const std::uint32_t other : overlapping(segment_tree_, segment_box(points, rank), found)) {
-        const std::uint32_t b = points.order.section(other);
-        if (a == b || (b < a && slender(other)))
-            continue;
-        const bool same_wisp = hair.layout.wisp_of(a) == hair.layout.wisp_of(b);
-        if (same_wisp && (!ablation_.self_collision || std::max(a, b) - std::min(a, b) < 2))
-            continue;
-        const auto axis =
-            axis_contact(points, a < b ? rank : other, a < b ? other : rank, limits_.sine_fade);
-        if (axis)
-            found.axes.push_back({.section = std::min(a, b),
-                                  .point = {ContactPoint::kAxis},
-                                  .segment = std::max(a, b),
-                                  .s = axis->on_second,
-                                  .along = axis->on_first,
-                                  .density = axis->density,
-                                  .weight = weight_at(axis->depth)});
-    }
+    const bool same_wisp = hair.layout.wisp_of(a) == hair.layout.wisp_of(b);
+    if (same_wisp && (!ablation_.self_collision || std::max(a, b) - std::min(a, b) < 2))
+        return;
+    const auto axis = axis_contact(points, a < b ? rank : other, a < b ? other : rank);
+    if (axis)
+        found.axes.push_back({.section = std::min(a, b),
+                              .point = {ContactPoint::kAxis},
+                              .segment = std::max(a, b),
+                              .s = axis->on_second,
+                              .along = axis->on_first,
+                              .density = axis->density,
+                              .weight = weight_at(axis->depth)});
 }
 
 WispContactKind WispDetection::axis_kind(const ContactPoints& points,

@@ -46,25 +46,34 @@ class WispDetection {
         std::vector<WispContact> contacts; ///< of points
         std::vector<WispContact> axes;
         std::vector<Pair> pairs; ///< the same perhaps several times
-        std::vector<std::uint32_t> candidates;
+        NearBoxes near;          ///< bunches of points near a group of segments
+        NearBoxes near_axes;     ///< bunches of segments near it
+        std::vector<std::uint32_t> bunches;
         PointsInside inside;
     };
     struct Belongs {
         bool before = false, after = false;
     };
 
+    void list_segments(const HairView& hair, const ContactPoints& points);
     void place_boxes(const ContactPoints& points, Threads& threads);
+    void place_axes(const ContactPoints& points, Threads& threads);
     void find_chunk(const HairView& hair, const ContactPoints& points, std::size_t chunk);
-    void find_points(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
+    void gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
                      Found& found) const;
+    std::size_t find_points(const HairView& hair, const ContactPoints& points, std::size_t index,
+                            Found& found) const;
     Belongs belongs_to(const HairView& hair, std::uint32_t section, std::uint32_t segment) const;
     void count_pair(const Belongs& belongs, std::uint32_t section, std::uint32_t segment,
                     Found& found) const;
+    bool slender(const ContactPoints& points, std::uint32_t rank) const {
+        return points.slenderness[rank] > desc_.axis_contact_ratio;
+    }
     void find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                    Found& found) const;
+    void find_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
+                   std::uint32_t other, Found& found) const;
     WispContactKind axis_kind(const ContactPoints& points, const WispContact& contact) const;
-    std::span<const std::uint32_t> overlapping(const BoxTree& tree, const Box& box,
-                                               Found& found) const;
     void collect(const ContactPoints& points, Threads& threads);
     void count_pairs(std::size_t sections);
 
@@ -74,9 +83,10 @@ class WispDetection {
     PointTest point_test_;
 
     std::vector<std::uint32_t> segments_; ///< ranks at which simulated segments begin
-    std::vector<Box> boxes_;
-    BoxTree bunch_tree_;   ///< of the points of each bunch
-    BoxTree segment_tree_; ///< of segments, by rank, where any is slender
+    std::vector<Box> hulls_;
+    BoxTree bunch_tree_;                         ///< of the points of each bunch
+    AlignedVector<BoxTree::Node> segment_boxes_; ///< per bunch; where any is slender
+    BoxTree segment_tree_;                       ///< of those
     bool any_slender_ = false;
 
     std::vector<Found> chunks_;

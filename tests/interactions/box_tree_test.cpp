@@ -59,17 +59,20 @@ TEST_CASE("a tree of boxes finds exactly those that overlap, wherever they have 
                 for (std::uint32_t i = 0; i < count; ++i)
                     if (boxes[i].overlaps(box))
                         expected.push_back(i);
+                // A smaller box in it finds its own among those.
+                Box inner = box;
+                inner.high = (box.low + box.high) / 2.f;
+                std::vector<std::uint32_t> fewer;
+                for (const std::uint32_t i : expected)
+                    if (boxes[i].overlaps(inner))
+                        fewer.push_back(i);
                 for (const PointTest& test : tests) {
-                    std::vector<std::uint32_t> found(count + 1, ~0u);
-                    found.resize(test.overlapping(tree, box, found.data(), found.size()));
-                    std::sort(found.begin(), found.end());
-                    CHECK(found == expected);
-                    // Too little room: the number is told all the same, and nothing past it
-                    // written.
-                    std::vector<std::uint32_t> few(expected.size() / 2 + 1, 7u);
-                    CHECK(test.overlapping(tree, box, few.data(), few.size() - 1) ==
-                          expected.size());
-                    CHECK(few.back() == 7u);
+                    NearBoxes near;
+                    test.gather(tree, box, near);
+                    CHECK(near.items == expected);
+                    std::vector<std::uint32_t> found(expected.size());
+                    found.resize(test.among(near, inner, found.data()));
+                    CHECK(found == fewer);
                 }
             }
         }
