@@ -8,7 +8,8 @@ Simulation::Simulation(const SimulationDesc& d, const Groom& g, const RunOptions
       kernels(kernels_for(options.instruction_set)), state(layout.rows(), groom.envelope_points),
       root_axis(layout.packets().size(), 3), roots(layout.packets().size()),
       wisp_detection(d.wisps, {}, options.instruction_set), wisp_response(d.wisps),
-      frames(layout.rows()), curve(curve_scratch(layout)), threads(options.threads) {
+      character_contacts({}, options.instruction_set), frames(layout.rows()),
+      curve(curve_scratch(layout)), threads(options.threads) {
     if (!air.is_uniform())
         wind = Rows(layout.rows(), 3);
 }
