@@ -1,7 +1,5 @@
 #include "character/posed_surface.h"
 
-#include "character/box_tests.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -40,142 +38,38 @@ Vec3d PosedSurface::normal(std::uint32_t t) const {
     return normalized(cross(corners.b - corners.a, corners.c - corners.a));
 }
 
-namespace {
-
-/// The nearest place found so far, and what rules out most triangles before their own nearest place
-/// is worked out: those wholly under the plane through the place across the way to it. All of that
-/// side is farther.
-class NearestSoFar {
-  public:
-    NearestSoFar(const Vec3d& p, double radius, const PosedSurface::Accept& accept)
-        : p_(p), accept_(accept) {
-        set_limit(radius * radius);
+std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
+                                                  std::uint32_t guess) const {
+    if (guess < triangles_.size()) {
+        const double squared = closest_on_triangle(p, triangle(guess)).squared;
+        radius = std::min(radius, std::sqrt(squared) * (1 + 1e-15));
     }
-
-    const std::optional<SurfacePlace>& place() const { return best_; }
-    float limit_of_boxes() const { return limit_of_boxes_; }
-
-    void look_at(std::uint32_t t, const Triangle& corners) {
-        if (best_ && under_plane(corners))
-            return;
-        const SurfacePlace candidate{t, closest_on_triangle(p_, corners)};
-        if (candidate.closest.squared > limit_)
-            return;
-        if (best_ && candidate.closest.squared == limit_ && t >= best_->triangle)
-            return;
-        if (accept_ && !accept_(candidate))
-            return;
-        take(candidate);
-    }
-
-  private:
-    static constexpr double kRounding = 1e-9; // [m] far over that of distances in double
-
-    bool under_plane(const Triangle& t) const {
-        return dot(t.a - p_, away_) < plane_ && dot(t.b - p_, away_) < plane_ &&
-               dot(t.c - p_, away_) < plane_;
-    }
-    void take(const SurfacePlace& candidate) {
-        best_ = candidate;
-        set_limit(candidate.closest.squared);
-        away_ = normalized(p_ - candidate.closest.point);
-        plane_ = -std::sqrt(limit_) - kRounding;
-    }
-    void set_limit(double squared) {
-        limit_ = squared;
-        limit_of_boxes_ = BoxDistances::at_least(squared);
-    }
-
-    Vec3d p_;
-    const PosedSurface::Accept& accept_;
-    std::optional<SurfacePlace> best_;
-    double limit_ = 0;
-    float limit_of_boxes_ = 0;
-    Vec3d away_; // unit, from the place to the point
-    double plane_ = 0;
-};
-
-} // namespace
-
-/// Goes through the boxes of every node that look_into(node) tells to look into, and calls
-/// visit(i, box) for the triangles there, i their place in the tree's order, until it returns
-/// false.
-template <typename LookInto, typename Visit>
-void PosedSurface::walk(LookInto&& look_into, Visit&& visit) const {
-    const auto nodes = tree_.nodes();
-    if (nodes.empty())
-        return;
-    std::array<std::uint32_t, TriangleTree::kDepth> stack;
-    std::size_t depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-        const TriangleTree::Node& node = nodes[stack[--depth]];
-        for (std::size_t box : Those(look_into(node))) {
-            const std::uint32_t first = node.first[box], last = first + node.count[box];
-            for (std::uint32_t i = first; i < last; ++i) {
-                if (!visit(i, box))
-                    return;
-            }
-            if (first == last) {
-                stack[depth++] = first;
-                __builtin_prefetch(&nodes[first]);
-            }
-        }
-    }
+    return surface_search().nearest(searched(), p, radius);
 }
 
-std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
-                                                  const Accept& accept, std::uint32_t guess) const {
-    NearestSoFar best(p, radius, accept);
-    if (guess < triangles_.size())
-        best.look_at(guess, triangle(guess));
-
-    const auto nodes = tree_.nodes();
-    if (nodes.empty())
-        return best.place();
-    const BoxDistances distances(p);
-    struct Entry {
-        std::uint32_t first, count;
-        float squared;
-    };
-    std::array<Entry, TriangleTree::kDepth> stack;
-    std::size_t depth = 0;
-    stack[depth++] = {};
-    while (depth > 0) {
-        const Entry entry = stack[--depth];
-        if (entry.squared > best.limit_of_boxes())
-            continue;
-        for (std::uint32_t i = entry.first; i < entry.first + entry.count; ++i)
-            best.look_at(tree_.order()[i], in_double(corners_[i]));
-        if (entry.count > 0)
-            continue;
-        const TriangleTree::Node& node = nodes[entry.first];
-        const auto squared = distances.squared(node);
-        // sorted in, the nearest on top
-        const std::size_t bottom = depth;
-        for (std::size_t box : Those(squared <= best.limit_of_boxes())) {
-            std::size_t place = depth++;
-            for (; place > bottom && stack[place - 1].squared < squared[box]; --place)
-                stack[place] = stack[place - 1];
-            stack[place] = {node.first[box], node.count[box], squared[box]};
+// In rising distance, from balls that are tried twice as wide as the one before.
+std::optional<SurfacePlace> PosedSurface::nearest_accepted(const Vec3d& p, double radius,
+                                                           const Accept& accept) const {
+    std::vector<SurfacePlace> places;
+    double passed = -1;
+    for (double ball = std::min(radius, 0.01);; ball = std::min(radius, 2 * ball)) {
+        within(p, ball, places);
+        std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
+            return a.closest.squared < b.closest.squared;
+        });
+        for (const SurfacePlace& place : places) {
+            if (place.closest.squared > passed && accept(place))
+                return place;
         }
+        if (ball == radius)
+            return {};
+        passed = ball * ball;
     }
-    return best.place();
 }
 
 void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const {
     places.clear();
-    const double limit = radius * radius;
-    const float limit_of_boxes = BoxDistances::at_least(limit);
-    const BoxDistances distances(p);
-    walk([&](const auto& node) { return distances.squared(node) <= limit_of_boxes; },
-         [&](std::uint32_t i, std::size_t) {
-             const SurfacePlace place{tree_.order()[i],
-                                      closest_on_triangle(p, in_double(corners_[i]))};
-             if (place.closest.squared <= limit)
-                 places.push_back(place);
-             return true;
-         });
+    surface_search().within(searched(), p, radius, places);
     std::sort(places.begin(), places.end(),
               [](const SurfacePlace& a, const SurfacePlace& b) { return a.triangle < b.triangle; });
 }
@@ -186,12 +80,13 @@ void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlac
 template <typename Visit> void PosedSurface::along(const Vec3d& origin, const Vec3d& direction,
                                                    double end, Visit&& visit) const {
     const LineCrossing line(origin, direction);
-    const BoxCrossings crossings(origin, direction, end);
-    walk([&](const auto& node) { return crossings.apart(node) <= 0; },
-         [&](std::uint32_t i, std::size_t) {
-             const LineCrossing::Hit hit = line.cross(in_double(corners_[i]));
-             return hit.sign == 0 || visit(tree_.order()[i], hit);
-         });
+    auto look = [&](std::uint32_t i) {
+        const LineCrossing::Hit hit = line.cross(in_double(corners_[i]));
+        return hit.sign == 0 || visit(tree_.order()[i], hit);
+    };
+    surface_search().along(
+        searched(), BoxCrossings(origin, direction, end), &look,
+        [](void* context, std::uint32_t i) { return (*static_cast<decltype(look)*>(context))(i); });
 }
 
 void PosedSurface::crossings(const Vec3d& a, const Vec3d& b, std::vector<Crossing>& found) const {
@@ -220,18 +115,7 @@ bool PosedSurface::crosses(const Vec3d& a, const Vec3d& b) const {
 }
 
 float PosedSurface::roof(const BoxHeights& heights, float floor, float enough) const {
-    float roof = floor;
-    Four highest{};
-    walk(
-        [&](const auto& node) {
-            highest = heights.highest(node);
-            return highest > roof;
-        },
-        [&](std::uint32_t i, std::size_t box) {
-            roof = std::max(roof, std::min(highest[box], heights.highest(corners_[i])));
-            return roof <= enough;
-        });
-    return roof;
+    return surface_search().roof(searched(), heights, floor, enough);
 }
 
 bool PosedSurface::outside_bounds(const Vec3d& p) const {

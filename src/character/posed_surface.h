@@ -1,7 +1,6 @@
 #pragma once
 
-#include "character/triangle_geometry.h"
-#include "character/triangle_tree.h"
+#include "character/surface_search.h"
 
 #include <array>
 #include <cstdint>
@@ -12,14 +11,6 @@
 #include <vector>
 
 namespace mane {
-
-class BoxHeights;
-
-/// A place on a surface: a point of one of its triangles.
-struct SurfacePlace {
-    std::uint32_t triangle = 0;
-    ClosestPoint closest;
-};
 
 /// Where a segment goes through a surface.
 struct Crossing {
@@ -46,14 +37,15 @@ class PosedSurface {
     /// Unit normal of a triangle, outward; zero where it has no area.
     Vec3d normal(std::uint32_t t) const;
 
-    /// Asked of a place that would be the nearest so far: whether it counts.
-    using Accept = std::function<bool(const SurfacePlace&)>;
-    /// The place nearest to `p` within `radius` [m], among those that `accept` lets count; of
-    /// equally near triangles the lowest. `guess`: a triangle that may be near; a good one saves
-    /// time, any gives the same answer.
-    std::optional<SurfacePlace> nearest(const Vec3d& p, double radius, const Accept& accept = {},
+    /// The place nearest to `p` within `radius` [m]; of equally near triangles the lowest. `guess`:
+    /// a triangle that may be near; a good one saves time, any gives the same answer.
+    std::optional<SurfacePlace> nearest(const Vec3d& p, double radius,
                                         std::uint32_t guess = kNoGuess) const;
     static constexpr std::uint32_t kNoGuess = 0xffffffffu;
+    /// The same among those that `accept` lets count.
+    using Accept = std::function<bool(const SurfacePlace&)>;
+    std::optional<SurfacePlace> nearest_accepted(const Vec3d& p, double radius,
+                                                 const Accept& accept) const;
     /// The nearest place of every triangle within `radius` [m] of `p`, by rising triangle.
     void within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const;
     /// All crossings of the segment from `a` to `b`, by rising position, then triangle. Watertight:
@@ -66,14 +58,16 @@ class PosedSurface {
     /// cheap and not tight; where it is over `enough` it stops short and is none.
     float roof(const BoxHeights& heights, float floor, float enough) const;
 
+    /// Its boxes, in this pose.
+    const TriangleTree& tree() const { return tree_; }
+
     /// How many times the surface winds round `p`: a whole number, since the mesh is closed.
     int winding(const Vec3d& p) const;
     /// Whether `p` is inside the union of the surface's parts: winding number ≥ ½ (M33).
     bool inside(const Vec3d& p) const { return winding(p) > 0; }
 
   private:
-    template <typename LookInto, typename Visit>
-    void walk(LookInto&& look_into, Visit&& visit) const;
+    SearchedTriangles searched() const { return {tree_, corners_}; }
     template <typename Visit>
     void along(const Vec3d& origin, const Vec3d& direction, double end, Visit&& visit) const;
     bool outside_bounds(const Vec3d& p) const;

@@ -11,6 +11,8 @@ namespace {
 /// An edge folded inward by more than this is a crease: 20°. Flatter ones are facets of a smooth
 /// hollow (a neck), whose interpolated normals lean by half as much at most.
 constexpr double kCreaseSine = 0.34;
+/// [m] A pose that strays by less from the one before it is the same but for rounding.
+constexpr float kSame = 5e-6f;
 
 /// A triangle's own axes: along its first edge, across it, and its normal.
 struct Axes {
@@ -36,6 +38,8 @@ Surface::Surface(const Mesh& rest) : mesh_(close_borders(rest)) {
               PosedSurface(mesh_.triangles, closed_vertices_)};
     find_creases(closed_vertices_);
     find_normals();
+    drift_ = Drift(mesh_.triangles, poses_[0].tree());
+    drift_.follow(closed_vertices_, kAtRest, false);
 }
 
 void Surface::take(std::span<const Vec3> vertices) {
@@ -50,19 +54,34 @@ void Surface::take(std::span<const Vec3> vertices) {
     }
 }
 
-void Surface::reset(std::span<const Vec3> vertices) {
+void Surface::take_frames(std::size_t end, std::span<const RigidFrame> frames) {
+    std::copy_n(frames.begin(), std::min(frames.size(), Drift::kFrames), frames_[end].begin());
+}
+
+void Surface::reset(std::span<const Vec3> vertices, std::span<const RigidFrame> frames) {
     take(vertices);
-    for (PosedSurface& p : poses_)
-        p.pose(closed_vertices_);
+    for (std::size_t end : {0, 1}) {
+        poses_[end].pose(closed_vertices_);
+        take_frames(end, frames);
+    }
     find_normals();
+    drift_.follow(closed_vertices_, frames, was_reset_);
+    for (std::size_t f = 0; f < drift_.frames(); ++f)
+        jumps_ += drift_.of_any(f) > kSame;
+    was_reset_ = true;
     duration_ = fastest_ = 0;
 }
 
-void Surface::advance(std::span<const Vec3> vertices, double duration) {
+void Surface::advance(std::span<const Vec3> vertices, double duration,
+                      std::span<const RigidFrame> frames) {
     start_ = 1 - start_;
     take(vertices);
     poses_[1 - start_].pose(closed_vertices_);
+    take_frames(1 - start_, frames);
     find_normals();
+    drift_.follow(closed_vertices_, frames, was_reset_);
+    was_reset_ = false;
+    ++block_;
 
     const auto from = start().vertices();
     double farthest = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "character/closing.h"
+#include "character/drift.h"
 #include "character/posed_surface.h"
 
 namespace mane {
@@ -15,11 +16,14 @@ class Surface {
     Surface& operator=(const Surface&) = delete;
 
     /// Both ends at one pose: at the beginning, and when the world's origin has moved. `vertices`:
-    /// the mesh's, posed.
-    void reset(std::span<const Vec3> vertices);
+    /// the mesh's, posed. `frames`: where rigid parts of the body are, always the same ones; all
+    /// answers are true whatever they are, and near them fewer questions are asked.
+    void reset(std::span<const Vec3> vertices, std::span<const RigidFrame> frames = kAtRest);
     /// Goes on by one block: the end becomes the start, `vertices` [m] the pose `duration` [s]
     /// later.
-    void advance(std::span<const Vec3> vertices, double duration);
+    void advance(std::span<const Vec3> vertices, double duration,
+                 std::span<const RigidFrame> frames = kAtRest);
+    static constexpr RigidFrame kAtRest[1] = {};
 
     const PosedSurface& start() const { return poses_[start_]; }
     const PosedSurface& end() const { return poses_[1 - start_]; }
@@ -27,6 +31,15 @@ class Surface {
     double fastest() const {
         return fastest_;
     } ///< [m/s] the highest speed of a vertex over the block
+
+    const RigidFrame& start_frame(std::size_t f) const { return frames_[start_][f]; }
+    const RigidFrame& end_frame(std::size_t f) const { return frames_[1 - start_][f]; }
+    /// How far the surface strays from its frames over the block.
+    const Drift& drift() const { return drift_; }
+    /// Counts the blocks.
+    std::uint64_t block() const { return block_; }
+    /// Another number: what was known about the surface before its last block is known no longer.
+    std::uint64_t jumps() const { return jumps_; }
 
     const ClosedMesh& mesh() const { return mesh_; }
     bool cap(std::uint32_t triangle) const { return triangle >= mesh_.own_triangles; }
@@ -43,6 +56,7 @@ class Surface {
 
   private:
     void take(std::span<const Vec3> vertices);
+    void take_frames(std::size_t end, std::span<const RigidFrame> frames);
     void find_creases(std::span<const Vec3> rest);
     void find_normals();
 
@@ -51,6 +65,10 @@ class Surface {
     std::vector<Vec3> closed_vertices_;       // the mesh's and the caps' centres
     std::vector<Vec3d> vertex_normals_;       // at the start
     std::array<PosedSurface, 2> poses_;
+    std::array<std::array<RigidFrame, Drift::kFrames>, 2> frames_;
+    Drift drift_;
+    std::uint64_t block_ = 0, jumps_ = 0;
+    bool was_reset_ = false;
     std::size_t start_ = 0;
     double duration_ = 0, fastest_ = 0;
 };

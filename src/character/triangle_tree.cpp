@@ -1,36 +1,36 @@
 #include "character/triangle_tree.h"
 
-#include <algorithm>
+#include "base/four.h"
+
 #include <numeric>
 
 namespace mane {
 namespace {
 
-constexpr std::uint32_t kLeaf = 2;
+constexpr float kNowhere = 1e30f;
 
-TriangleTree::Box box_of(std::span<const std::array<Vec3, 3>> triangles) {
-    TriangleTree::Box box{triangles[0][0], triangles[0][0]};
-    for (const auto& corners : triangles) {
-        for (const Vec3& p : corners)
-            box = both(box, {p, p});
+void put(TriangleTree::Node& node, std::size_t i, const Four& low, const Four& high) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.low[axis][i] = low[axis];
+        node.high[axis][i] = high[axis];
     }
-    return box;
 }
 
-TriangleTree::Box box_of(const TriangleTree::Node& node) {
-    const auto get = [&](std::size_t i) -> TriangleTree::Box {
-        return {{node.low[0][i], node.low[1][i], node.low[2][i]},
-                {node.high[0][i], node.high[1][i], node.high[2][i]}};
-    };
-    TriangleTree::Box box = get(0);
-    for (std::size_t i = 1; i < node.boxes; ++i)
-        box = both(box, get(i));
-    return box;
+/// The boxes of a node, by halves down to one.
+template <typename Better>
+float best_of(const float (&numbers)[TriangleTree::kBoxes], Better&& better) {
+    Four best[4];
+    for (std::size_t i = 0; i < 4; ++i)
+        best[i] = Four{numbers[4 * i], numbers[4 * i + 1], numbers[4 * i + 2], numbers[4 * i + 3]};
+    const Four one = better(better(best[0], best[1]), better(best[2], best[3]));
+    const Four two = better(one, Four{one[2], one[3], one[0], one[1]});
+    return better(two, Four{two[1], two[0], two[3], two[2]})[0];
 }
 
-void put(const TriangleTree::Box& box, std::size_t i, TriangleTree::Node& node) {
-    node.low[0][i] = box.low.x, node.low[1][i] = box.low.y, node.low[2][i] = box.low.z;
-    node.high[0][i] = box.high.x, node.high[1][i] = box.high.y, node.high[2][i] = box.high.z;
+TriangleTree::Box bounds_of(const TriangleTree::Node& node) {
+    const auto low = [&](std::size_t axis) { return best_of(node.low[axis], smaller); };
+    const auto high = [&](std::size_t axis) { return best_of(node.high[axis], larger); };
+    return {{low(0), low(1), low(2)}, {high(0), high(1), high(2)}};
 }
 
 } // namespace
@@ -38,68 +38,83 @@ void put(const TriangleTree::Box& box, std::size_t i, TriangleTree::Node& node) 
 TriangleTree::TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Vec3> vertices)
     : order_(triangles.size()) {
+    if (triangles.empty())
+        return;
     std::iota(order_.begin(), order_.end(), 0u);
     std::vector<Vec3> centres;
     centres.reserve(triangles.size());
     for (const auto& t : triangles)
         centres.push_back(vertices[t[0]] + vertices[t[1]] + vertices[t[2]]);
-    if (!triangles.empty())
-        split(centres, {0, static_cast<std::uint32_t>(triangles.size())});
+    sort(centres, order_);
+
+    std::size_t nodes = 0, boxes = triangles.size();
+    first_node_.push_back(0);
+    do {
+        boxes = (boxes + kBoxes - 1) / kBoxes;
+        first_node_.push_back(nodes += boxes);
+    } while (boxes > 1);
+    nodes_.resize(nodes);
+    const Four far{kNowhere, kNowhere, kNowhere, kNowhere};
+    for (Node& node : nodes_)
+        for (std::size_t i = 0; i < kBoxes; ++i)
+            put(node, i, far, -far);
+    find_groups();
 }
 
-// Quarters by number, so the depth is log₄ whatever the mesh. A node comes before those in it.
-void TriangleTree::split(std::span<const Vec3> centres, Range range) {
-    std::array<Range, kBoxes> part{range};
-    std::uint32_t parts = 1;
-    for (int halving = 0; halving < 2; ++halving) {
-        for (std::uint32_t i = parts; i-- > 0;) {
-            if (part[i].count > kLeaf)
-                part[parts++] = halve(centres, part[i]);
-        }
-    }
-
-    const std::size_t node = nodes_.size();
-    nodes_.emplace_back().boxes = static_cast<std::uint8_t>(parts);
-    for (std::uint32_t i = 0; i < parts; ++i) {
-        const bool leaf = part[i].count <= kLeaf;
-        nodes_[node].first[i] = leaf ? part[i].first : static_cast<std::uint32_t>(nodes_.size());
-        nodes_[node].count[i] = static_cast<std::uint8_t>(leaf ? part[i].count : 0);
-        if (!leaf)
-            split(centres, part[i]);
-    }
-}
-
-// Cuts a range of `order` along its longest side; the second half is returned. A stable sort, so
-// that every library makes the same tree (M39).
-TriangleTree::Range TriangleTree::halve(std::span<const Vec3> centres, Range& range) {
-    const auto begin = order_.begin() + range.first, end = begin + range.count;
-    Box box{centres[*begin], centres[*begin]};
-    for (auto t = begin; t != end; ++t)
-        box = both(box, {centres[*t], centres[*t]});
+// Cuts a range along its longest side, into halves that fill whole nodes. A stable sort, so that
+// every library makes the same tree (M39).
+void TriangleTree::sort(std::span<const Vec3> centres, std::span<std::uint32_t> range) {
+    if (range.size() <= kBoxes)
+        return;
+    Box box{centres[range[0]], centres[range[0]]};
+    for (const std::uint32_t t : range)
+        box = both(box, {centres[t], centres[t]});
     const Vec3 size = box.high - box.low;
     float Vec3::*axis = size.x >= size.y && size.x >= size.z ? &Vec3::x
                         : size.y >= size.z                   ? &Vec3::y
                                                              : &Vec3::z;
-    std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
+    std::stable_sort(range.begin(), range.end(), [&](std::uint32_t a, std::uint32_t b) {
         return centres[a].*axis < centres[b].*axis;
     });
-    const std::uint32_t half = range.count / 2, rest = range.count - half;
-    range.count = half;
-    return {range.first + half, rest};
+    std::size_t part = kBoxes;
+    while (part * kBoxes < range.size())
+        part *= kBoxes;
+    const std::size_t parts = (range.size() + part - 1) / part, half = parts / 2 * part;
+    sort(centres, range.first(half));
+    sort(centres, range.subspan(half));
+}
+
+// Whole nodes of triangles.
+void TriangleTree::find_groups() {
+    const std::size_t count = order_.size(), nodes = (count + kBoxes - 1) / kBoxes,
+                      size = (nodes + kGroups - 1) / kGroups * kBoxes;
+    for (std::size_t first = 0; first < count; first += size)
+        groups_.push_back({static_cast<std::uint32_t>(first),
+                           static_cast<std::uint32_t>(std::min(size, count - first))});
+}
+
+TriangleTree::Box TriangleTree::bounds(const Group& group) const {
+    Box box{{kNowhere, kNowhere, kNowhere}, {-kNowhere, -kNowhere, -kNowhere}};
+    for (std::uint32_t first = group.first; first < group.first + group.count; first += kBoxes)
+        box = both(box, bounds_of(node(0, first / kBoxes)));
+    return box;
 }
 
 void TriangleTree::refit(std::span<const std::array<Vec3, 3>> corners) {
-    for (std::size_t n = nodes_.size(); n-- > 0;) {
-        Node& node = nodes_[n];
-        for (std::size_t i = 0; i < node.boxes; ++i) {
-            const Box box = node.count[i] > 0
-                                ? box_of(corners.subspan(node.first[i], node.count[i]))
-                                : box_of(nodes_[node.first[i]]);
-            put(box, i, node);
+    if (order_.empty())
+        return;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Four a = four(corners[i][0]), b = four(corners[i][1]), c = four(corners[i][2]);
+        put(node(0, i / kBoxes), i % kBoxes, smaller(smaller(a, b), c), larger(larger(a, b), c));
+    }
+    for (std::size_t level = 1; level < levels(); ++level) {
+        const std::size_t below = first_node_[level] - first_node_[level - 1];
+        for (std::size_t i = 0; i < below; ++i) {
+            const Box box = bounds_of(node(level - 1, i));
+            put(node(level, i / kBoxes), i % kBoxes, four(box.low), four(box.high));
         }
     }
-    if (!nodes_.empty())
-        bounds_ = box_of(nodes_[0]);
+    bounds_ = bounds_of(nodes_.back());
 }
 
 } // namespace mane

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/four.h"
+#include "base/aligned.h"
 #include "mane/vec.h"
 
 #include <algorithm>
@@ -11,28 +11,27 @@
 
 namespace mane {
 
-/// A tree of boxes over triangles. Its shape is made once, in the rest pose; each new pose only
-/// refits the boxes, one pass without sorting or allocation. It stands in for the paper's uniform
-/// grid of polygons (§4.2) and finds exactly the same: a grid needs a cell size that fits fine ears
-/// and the large triangles of a cap alike, and is refilled from nothing at every detection.
+/// A tree of boxes over triangles, sixteen in a node, so that few vector operations test all of
+/// them. Its shape is made once, in the rest pose; each new pose only refits the boxes, one pass
+/// without sorting or allocation. It stands in for the paper's uniform grid of polygons (§4.2) and
+/// finds exactly the same: a grid needs a cell size that fits fine ears and the large triangles of
+/// a cap alike, and is refilled from nothing at every detection.
 class TriangleTree {
   public:
-    /// A node holds four boxes side by side, [axis][box].
-    static constexpr std::size_t kBoxes = 4;
+    static constexpr std::size_t kBoxes = 16;
     struct Box {
         Vec3 low, high;
     };
-    static constexpr Four kNowhere{1e30f, 1e30f, 1e30f, 1e30f};
-    /// Two cache lines.
+    /// Sixteen boxes side by side, [axis][box]. What is not in use is where nothing is.
     struct alignas(64) Node {
-        /// What is not in use is where nothing is.
-        Four low[3]{kNowhere, kNowhere, kNowhere}, high[3]{-kNowhere, -kNowhere, -kNowhere};
-        /// What is in each box: a node, or triangles from this place of `order` on.
-        std::array<std::uint32_t, kBoxes> first{};
-        std::array<std::uint8_t, kBoxes> count{}; ///< of triangles, 0 for a node
-        std::uint8_t boxes = 0;                   ///< in use
+        float low[3][kBoxes], high[3][kBoxes];
     };
-    static constexpr std::size_t kDepth = 64; ///< entries that a traversal may have to remember
+    /// Triangles that lie together.
+    struct Group {
+        std::uint32_t first, count; ///< of `order`
+    };
+    static constexpr std::size_t kGroups = 64; ///< at most
+    static constexpr std::size_t kLevels = 9;  ///< at most
 
     TriangleTree() = default;
     TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -41,21 +40,29 @@ class TriangleTree {
     /// Boxes for the triangles in a new pose; `corners` holds the triangles in the tree's order.
     void refit(std::span<const std::array<Vec3, 3>> corners);
 
-    std::span<const Node> nodes() const { return nodes_; }
-    /// The triangle at each place of the leaves.
+    /// The triangles, in the tree's order.
     std::span<const std::uint32_t> order() const { return order_; }
+    /// Levels of nodes; the boxes of level 0 are the triangles', sixteen by sixteen in the tree's
+    /// order, and those of the next the nodes' of the one before. The last has one node.
+    std::size_t levels() const { return first_node_.empty() ? 0 : first_node_.size() - 1; }
+    const Node& node(std::size_t level, std::size_t i) const {
+        return nodes_[first_node_[level] + i];
+    }
+    /// Every triangle is in one group.
+    std::span<const Group> groups() const { return groups_; }
+    Box bounds(const Group& group) const;
     /// The box that holds all triangles.
     const Box& bounds() const { return bounds_; }
 
   private:
-    struct Range {
-        std::uint32_t first, count;
-    };
-    void split(std::span<const Vec3> centres, Range range);
-    Range halve(std::span<const Vec3> centres, Range& range);
+    void sort(std::span<const Vec3> centres, std::span<std::uint32_t> range);
+    void find_groups();
+    Node& node(std::size_t level, std::size_t i) { return nodes_[first_node_[level] + i]; }
 
-    std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;
+    std::vector<std::size_t> first_node_; // of each level, and the end
+    AlignedVector<Node> nodes_;           // level after level
+    std::vector<Group> groups_;
     Box bounds_;
 };
 

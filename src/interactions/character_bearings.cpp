@@ -3,6 +3,7 @@
 #include "character/box_tests.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mane {
 namespace {
@@ -17,13 +18,41 @@ double distance(const Vec3& a, const Vec3& b) {
 } // namespace
 
 CharacterBearings::CharacterBearings(const WispCopy& wisp, std::span<const ContactBody> bodies,
-                                     std::span<const CarriedPoint> carried, const Escape& escape)
+                                     std::span<CarriedPoint> carried, const Escape& escape)
     : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(escape), known_(carried.size()),
       drawn_(wisp.sections() * (1 + 2 * wisp.k())), drawn_known_(wisp.sections(), 0) {}
 
+void CharacterBearings::set_free(std::uint32_t i, std::uint32_t b) {
+    known_[at(i, b)].inside = Answer::no;
+    known_[at(i, b)].segment_free = Answer::yes;
+}
+
+const CarriedPoint& CharacterBearings::carried(std::uint32_t i, std::uint32_t b) {
+    if (!carried_[at(i, b)].looked)
+        look_around(i, b);
+    return carried_[at(i, b)];
+}
+
+// As far as the section went, and the surface may have.
+void CharacterBearings::look_around(std::uint32_t i, std::uint32_t b) {
+    CarriedPoint& carried = carried_[at(i, b)];
+    const Surface& surface = *bodies_[b].surface;
+    const Vec3d from(carried.start);
+    const double radius = length(Vec3d(wisp_.x[i]) - from) +
+                          surface.fastest() * surface.duration() + double(enough(i));
+    const auto place = surface.start().nearest(from, radius, carried.triangle);
+    carried.looked = true;
+    carried.near = place.has_value();
+    carried.clear = radius;
+    if (!place)
+        return;
+    carried.clear = std::sqrt(place->closest.squared);
+    carried.triangle = place->triangle;
+    carried.position = Vec3(surface.carried_point(place->triangle, from));
+}
+
 // A place of the surface goes no farther over the block than the vertices of its triangle.
-double CharacterBearings::clear(std::uint32_t i, std::uint32_t b, const Vec3& p,
-                                float enough) const {
+double CharacterBearings::clear(std::uint32_t i, std::uint32_t b, const Vec3& p, float enough) {
     const CarriedPoint& carried = carried_[at(i, b)];
     const Surface& surface = *bodies_[b].surface;
     const double left = carried.clear - distance(p, carried.start) -
@@ -75,7 +104,7 @@ bool CharacterBearings::segment_free(std::uint32_t i, std::uint32_t b) {
 }
 
 bool CharacterBearings::find_segment_free(std::uint32_t i, std::uint32_t b) {
-    const CarriedPoint& carried = carried_[at(i, b)];
+    const CarriedPoint& carried = this->carried(i, b);
     points_.assign({wisp_.x[i - 1], wisp_.x[i]});
     if (carried.near)
         points_.push_back(carried.position);
@@ -118,7 +147,7 @@ bool CharacterBearings::clear_of_points(std::uint32_t b, const Vec3& way) const 
     }
     const Vec3 over(kOver, kOver, kOver);
     const BoxHeights heights(way, {box.low - over, box.high + over});
-    lowest -= heights.slack() + kOver; // also where the way is zero, all heights alike
+    lowest -= heights.slack + kOver; // also where the way is zero, all heights alike
     return bodies_[b].surface->end().roof(heights, lowest, lowest) <= lowest;
 }
 

@@ -20,13 +20,18 @@ namespace mane {
 /// point and surface have gone since, and from one search per section.
 class CharacterBearings {
   public:
-    /// `carried`: bodies × sections, found at the block's start.
+    /// `carried`: bodies × sections, found at the block's start, or now where they were not looked
+    /// for.
     CharacterBearings(const WispCopy& wisp, std::span<const ContactBody> bodies,
-                      std::span<const CarriedPoint> carried, const Escape& escape);
+                      std::span<CarriedPoint> carried, const Escape& escape);
+
+    /// What a clear region tells: section i is outside body `b`, and its segment is free.
+    void set_free(std::uint32_t i, std::uint32_t b);
+    const CarriedPoint& carried(std::uint32_t i, std::uint32_t b);
 
     /// The radius of a clear ball round `p`, near section i [m]: the distance to body `b` where
     /// that is under `enough`, else at least `enough`.
-    double clear(std::uint32_t i, std::uint32_t b, const Vec3& p, float enough) const;
+    double clear(std::uint32_t i, std::uint32_t b, const Vec3& p, float enough);
     /// The same round section i.
     double clear(std::uint32_t i, std::uint32_t b);
     /// [m] a ball round section i that holds all of its envelope.
@@ -64,11 +69,12 @@ class CharacterBearings {
     std::span<const Vec3> drawn(std::uint32_t i);
     void add_halfway(std::uint32_t i);
     Vec3 way_out(std::uint32_t i, std::uint32_t b) const;
+    void look_around(std::uint32_t i, std::uint32_t b);
     std::size_t at(std::uint32_t i, std::uint32_t b) const { return b * wisp_.sections() + i; }
 
     const WispCopy& wisp_;
     std::span<const ContactBody> bodies_;
-    std::span<const CarriedPoint> carried_;
+    std::span<CarriedPoint> carried_;
     const Escape& escape_;
     std::vector<Known> known_;              // bodies × sections
     std::vector<Vec3> points_;              // of a segment

@@ -3,6 +3,7 @@
 #include "base/parallel_for.h"
 #include "character/surface.h"
 #include "interactions/character_point.h"
+#include "interactions/character_regions.h"
 #include "interactions/character_response.h"
 #include "mane/contact.h"
 #include "mane/desc.h"
@@ -10,6 +11,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace mane {
@@ -25,10 +27,11 @@ struct ContactBody {
 /// A skeleton point at a block's start, and where it would be at the end if it had been fixed to
 /// the polygon that was nearest then.
 struct CarriedPoint {
-    Vec3 start;        ///< [m]
-    double clear = 0;  ///< [m] nothing of the surface was nearer at the start
-    bool near = false; ///< whether any polygon was near enough to be met within the block
-    Vec3 position;     ///< [m] at the end, where `near`
+    Vec3 start;         ///< [m]
+    double clear = 0;   ///< [m] nothing of the surface was nearer at the start
+    bool looked = true; ///< whether the nearest polygon was looked for; else what follows is unset
+    bool near = false;  ///< whether any polygon was near enough to be met within the block
+    Vec3 position;      ///< [m] at the end, where `near`
     std::uint32_t triangle = PosedSurface::kNoGuess; ///< the nearest, of this block or an earlier
 };
 
@@ -36,7 +39,9 @@ struct CarriedPoint {
 /// each other, each from root to tip, in fixed chunks: the same bits for any number of threads.
 class CharacterContacts {
   public:
-    explicit CharacterContacts(const Ablation& ablation = {}) : ablation_(ablation) {}
+    explicit CharacterContacts(const Ablation& ablation = {},
+                               const std::string& instruction_set = "")
+        : ablation_(ablation), region_test_(region_test_for(instruction_set)) {}
 
     /// At a block's start, from the state there: finds the planes that a point could reach before
     /// the block ends. Contacts come sorted by wisp, then section.
@@ -53,7 +58,7 @@ class CharacterContacts {
     /// reaction (M31-M33), against the bodies' poses at the block's end. Changes `position` and
     /// `radius` of `state`, which `hair` views. Returns how many points and radii it moved.
     std::uint64_t react(const HairView& hair, std::span<const ContactBody> bodies,
-                        const CharacterContactDesc& desc, State& state, Threads& threads) const;
+                        const CharacterContactDesc& desc, State& state, Threads& threads);
 
     std::span<const SlidingContact> of_wisp(std::size_t wisp) const { return contacts_[wisp]; }
     std::uint64_t count() const;
@@ -61,7 +66,11 @@ class CharacterContacts {
     void list(const Groom& groom, std::vector<Contact>& contacts) const;
 
   private:
+    void begin(const HairView& hair, std::span<const ContactBody> bodies);
+
     Ablation ablation_;
+    RegionTest region_test_;
+    std::vector<CharacterRegions> regions_;             // per body
     std::vector<std::vector<SlidingContact>> contacts_; // per wisp
     std::vector<std::vector<CarriedPoint>> carried_;    // per wisp: bodies × sections
     double duration_ = 0;

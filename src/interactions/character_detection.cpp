@@ -9,7 +9,8 @@
 namespace mane {
 namespace {
 
-constexpr std::size_t kWispsPerChunk = 16;
+/// [m] Wherever a section goes that far beyond its envelope, its region is of use.
+constexpr double kUseful = 0.02;
 /// A support point this near to an envelope point is that point.
 constexpr float kAtEnvelopePoint = 0.98f;
 
@@ -18,6 +19,7 @@ struct DetectionScratch {
     WispCopy wisp;
     PlaneFinder planes;
     std::vector<SurfacePlace> around;
+    std::vector<RegionTest::Approach> flags; // bodies × rows of the packet
 };
 
 bool nearer_the_root(const SlidingContact& a, const SlidingContact& b) {
@@ -33,28 +35,40 @@ class Detector {
         : wisp_(wisp), surface_(*body.surface), worn_(body.worn), number_(number), desc_(desc),
           contacts_(contacts), planes_(scratch.planes), around_(scratch.around) {}
 
-    void run(std::span<CarriedPoint> carried) {
-        const double block = surface_.duration();
-        Reach before = look_around(1, carried[1]);
+    /// `could_touch(i)`: what may touch of section i and of the segment that ends there; the rest
+    /// is passed over.
+    template <typename CouldTouch, typename Region>
+    void run(std::span<CarriedPoint> carried, CouldTouch&& could_touch, Region&& region) {
+        carried_ = carried;
+        before_ = here_ = {};
         bool under = worn_ && inside(1);
+        under_ = under ? 1 : 0;
         for (std::uint32_t i = 2; i < wisp_.sections(); ++i) {
-            const Reach here = look_around(i, carried[i]);
             under = under && inside(i);
-            carried[i].near = here.place && !under;
-            if (carried[i].near)
-                carried[i].position =
-                    Vec3(surface_.carried_point(here.place->triangle, Vec3d(wisp_.x[i])));
-            if (!under && block > 0) {
-                touch_segment(i - 1, before, here);
-                touch_section(i, here);
+            if (under) {
+                under_ = i;
+                carried[i].looked = true;
+                continue;
             }
-            before = here;
+            const auto [section, segment] = could_touch(i);
+            if (section || segment)
+                region_ = region(i);
+            if (surface_.duration() > 0 && segment) {
+                look_around(i - 1);
+                look_around(i);
+                touch_segment(i - 1, of(i - 1), of(i));
+            }
+            if (surface_.duration() > 0 && section) {
+                look_around(i);
+                touch_section(i, of(i));
+            }
         }
     }
 
   private:
     /// What is known of the surface around a section: nothing of it is nearer than `clear`.
     struct Reach {
+        std::uint32_t section = 0; // 0: none yet
         Vec3d from;
         std::optional<SurfacePlace> place;
         Vec3d way;      // unit, toward the surface
@@ -67,7 +81,17 @@ class Detector {
     // One search per section, as wide as any of its points could get to within the block. All else
     // follows from its answer, since the distance to a surface changes by no more than the way
     // between two points.
-    Reach look_around(std::uint32_t i, CarriedPoint& carried) {
+    const Reach& look_around(std::uint32_t i) {
+        if (here_.section == i || before_.section == i)
+            return of(i);
+        before_ = here_;
+        here_ = looked_around(i);
+        return here_;
+    }
+    const Reach& of(std::uint32_t i) const { return here_.section == i ? here_ : before_; }
+
+    Reach looked_around(std::uint32_t i) {
+        CarriedPoint& carried = carried_[i];
         const double block = surface_.duration();
         double rate = 0;
         for (std::uint32_t line = 0; line < wisp_.k(); ++line)
@@ -75,6 +99,7 @@ class Detector {
         const double speed =
             length(Vec3d(wisp_.v[i])) + rate + surface_.fastest() + kAcceleration * block;
         Reach reach;
+        reach.section = i;
         reach.from = Vec3d(wisp_.x[i]);
         reach.clear = double(desc_.threshold) + double(wisp_.largest_radius(i)) + speed * block;
         if (look_near(carried.triangle, reach)) {
@@ -83,8 +108,12 @@ class Detector {
             if (block > 0)
                 reach.velocity = velocity_at(surface_, *reach.place);
         }
-        carried.start = wisp_.x[i];
         carried.clear = reach.clear;
+        carried.looked = true;
+        carried.near = i >= 2 && i > under_ && reach.place.has_value();
+        if (carried.near)
+            carried.position =
+                Vec3(surface_.carried_point(reach.place->triangle, Vec3d(wisp_.x[i])));
         return reach;
     }
 
@@ -97,7 +126,7 @@ class Detector {
             distance = std::sqrt(
                 closest_on_triangle(reach.from, surface_.start().triangle(before)).squared);
         if (distance > reach.clear) {
-            reach.place = surface_.start().nearest(reach.from, reach.clear, {}, before);
+            reach.place = surface_.start().nearest(reach.from, reach.clear, before);
             if (!reach.place)
                 return false;
             distance = std::sqrt(reach.place->closest.squared);
@@ -168,6 +197,8 @@ class Detector {
         if (clear > approach.reach(surface_.duration()))
             return;
         approach.position = Vec3d(wisp_.position(point));
+        if (region_.clear(approach.position) > approach.reach(surface_.duration()))
+            return;
         for (const NearPlane& plane : planes_.find(surface_, approach))
             add(point, plane);
     }
@@ -187,6 +218,10 @@ class Detector {
         contacts_.push_back(contact);
     }
 
+    std::span<CarriedPoint> carried_;
+    CharacterRegions::Here region_; // of the section
+    std::uint32_t under_ = 0;       // the last section under a worn body
+    Reach before_, here_;           // the last two that were looked around
     const WispCopy& wisp_;
     const Surface& surface_;
     bool worn_;
@@ -197,30 +232,98 @@ class Detector {
     std::vector<SurfacePlace>& around_;
 };
 
+/// Nothing has been looked for at this block's start yet.
+void start_carried(const HairView& hair, const Packet& packet, std::uint32_t lane,
+                   std::size_t bodies, std::vector<CarriedPoint>& carried) {
+    const std::uint32_t sections = packet.sections[lane];
+    carried.resize(bodies * sections);
+    for (std::uint32_t n = 0; n < carried.size(); ++n) {
+        const std::uint32_t i = n % sections;
+        carried[n].start = hair.state.position.vec({packet.first_row + i, lane});
+        carried[n].clear = 0;
+        carried[n].looked = i < 2;
+        carried[n].near = false;
+    }
+}
+
+/// One wisp of a packet: all that is written.
+struct WispDetection {
+    std::uint32_t wisp, lane;
+    std::vector<SlidingContact>& contacts;
+    std::vector<CarriedPoint>& carried; // bodies × sections
+};
+
+/// Looks for the contacts of a wisp, and for the regions that are used up.
+void look_for_contacts(const HairView& hair, std::span<const ContactBody> bodies,
+                       const CharacterContactDesc& desc, const Packet& packet,
+                       const WispDetection& task, std::span<CharacterRegions> regions,
+                       DetectionScratch& scratch) {
+    WispCopy& wisp = scratch.wisp;
+    wisp.load(hair, task.wisp);
+    const std::uint32_t sections = wisp.sections();
+    for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+        const auto carried = std::span(task.carried).subspan(b * sections, sections);
+        const RegionTest::Approach* flags = scratch.flags.data() + b * packet.rows;
+        const auto has = [&](std::uint16_t bits) { return (bits >> task.lane & 1) != 0; };
+        Detector(wisp, bodies[b], b, desc, scratch, task.contacts)
+            .run(
+                carried,
+                [&](std::uint32_t i) {
+                    return std::pair(has(flags[i].section), has(flags[i].segment));
+                },
+                [&](std::uint32_t i) {
+                    return regions[b].here({packet.first_row + i, task.lane});
+                });
+        for (std::uint32_t i = 1; i < sections; ++i) {
+            if (!has(flags[i].spent))
+                continue;
+            double segment = length(Vec3d(wisp.x[i]) - Vec3d(wisp.x[i - 1]));
+            if (i + 1 < sections)
+                segment = std::max(segment, length(Vec3d(wisp.x[i + 1]) - Vec3d(wisp.x[i])));
+            regions[b].renew({packet.first_row + i, task.lane}, wisp.x[i],
+                             kUseful + double(wisp.largest_radius(i)) + segment / 2,
+                             carried[i].triangle);
+        }
+    }
+    // those of one body come sorted
+    if (!std::is_sorted(task.contacts.begin(), task.contacts.end(), nearer_the_root))
+        std::stable_sort(task.contacts.begin(), task.contacts.end(), nearer_the_root);
+}
+
 } // namespace
+
+void CharacterContacts::begin(const HairView& hair, std::span<const ContactBody> bodies) {
+    contacts_.resize(hair.groom.wisp_count());
+    carried_.resize(hair.groom.wisp_count());
+    regions_.resize(bodies.size());
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        regions_[b].begin(hair, *bodies[b].surface);
+    duration_ = bodies.empty() ? 0 : bodies[0].surface->duration();
+}
 
 void CharacterContacts::detect(const HairView& hair, std::span<const ContactBody> bodies,
                                const CharacterContactDesc& desc, Threads& threads) {
-    const std::size_t wisps = hair.groom.wisp_count();
-    contacts_.resize(wisps);
-    carried_.resize(wisps);
-    duration_ = bodies.empty() ? 0 : bodies[0].surface->duration();
-    threads.run((wisps + kWispsPerChunk - 1) / kWispsPerChunk, [&](std::size_t chunk) {
+    begin(hair, bodies);
+    const double reach = double(desc.threshold) + kAcceleration * duration_ * duration_;
+    threads.run(hair.layout.packets().size(), [&](std::size_t p) {
+        const Packet& packet = hair.layout.packets()[p];
         DetectionScratch scratch;
-        WispCopy& wisp = scratch.wisp;
-        const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
-        for (std::size_t w = chunk * kWispsPerChunk; w < end; ++w) {
-            wisp.load(hair, static_cast<std::uint32_t>(w));
-            const std::size_t sections = wisp.sections();
-            std::vector<SlidingContact>& contacts = contacts_[w];
-            contacts.clear();
-            carried_[w].resize(bodies.size() * sections);
-            for (std::uint32_t b = 0; b < bodies.size(); ++b)
-                Detector(wisp, bodies[b], b, desc, scratch, contacts)
-                    .run(std::span(carried_[w]).subspan(b * sections, sections));
-            // those of one body come sorted
-            if (!std::is_sorted(contacts.begin(), contacts.end(), nearer_the_root))
-                std::stable_sort(contacts.begin(), contacts.end(), nearer_the_root);
+        scratch.flags.resize(bodies.size() * packet.rows);
+        for (std::uint32_t b = 0; b < bodies.size(); ++b)
+            regions_[b].approach(region_test_, hair, p, reach,
+                                 scratch.flags.data() + b * packet.rows);
+        std::uint32_t asked = 0;
+        for (const RegionTest::Approach& row : scratch.flags)
+            asked |= row.section | row.segment | row.spent;
+        for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+            const std::uint32_t w = packet.wisp[lane];
+            if (w == Layout::kNoWisp)
+                continue;
+            contacts_[w].clear();
+            start_carried(hair, packet, lane, bodies.size(), carried_[w]);
+            if ((asked >> lane & 1) != 0)
+                look_for_contacts(hair, bodies, desc, packet, {w, lane, contacts_[w], carried_[w]},
+                                  regions_, scratch);
         }
     });
 }

@@ -74,7 +74,7 @@ Vec3d Escape::outward(std::uint32_t b, const SurfacePlace& place, const Vec3d& i
 // times: they do not count.
 std::optional<SurfacePlace> Escape::exit(std::uint32_t b, const Vec3& p) const {
     const Vec3d from(p);
-    return pose(b).nearest(from, kFar, [&](const SurfacePlace& place) {
+    return pose(b).nearest_accepted(from, kFar, [&](const SurfacePlace& place) {
         return !pose(b).inside(place.closest.point + outward(b, place, from) * kJustOver);
     });
 }
@@ -89,7 +89,7 @@ Vec3 Escape::over(std::uint32_t b, const SurfacePlace& place, const Vec3& inside
 }
 
 double Escape::distance(std::uint32_t b, const Vec3& p, double radius, std::uint32_t guess) const {
-    const auto place = pose(b).nearest(Vec3d(p), radius, {}, guess);
+    const auto place = pose(b).nearest(Vec3d(p), radius, guess);
     return place ? std::sqrt(place->closest.squared) : radius;
 }
 

@@ -7,7 +7,6 @@
 namespace mane {
 namespace {
 
-constexpr std::size_t kWispsPerChunk = 16;
 constexpr int kRounds = 4;      // a way out of one body may lead into another, or into another part
 constexpr float kClear = 1e-5f; // [m] by which envelope points and axes stay over the surface
 constexpr float kLongestLever =
@@ -17,11 +16,13 @@ constexpr float kLongestLever =
 /// to tip.
 class Reactor {
   public:
-    Reactor(WispCopy& wisp, std::span<const ContactBody> bodies,
-            std::span<const CarriedPoint> carried, double push_out)
-        : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(bodies, push_out),
+    Reactor(WispCopy& wisp, std::span<const ContactBody> bodies, std::span<CarriedPoint> carried,
+            double push_out)
+        : wisp_(wisp), bodies_(bodies), escape_(bodies, push_out),
           bearings_(wisp, bodies, carried, escape_), exempt_(wisp.sections() * bodies.size(), 0),
           moved_(wisp.sections(), false) {}
+
+    CharacterBearings& bearings() { return bearings_; }
 
     std::uint64_t run() {
         find_exempt();
@@ -83,11 +84,11 @@ class Reactor {
     bool move_out(std::uint32_t i, std::uint32_t b, bool with_path) {
         const Vec3 p = wisp_.x[i];
         const bool inside = bearings_.inside(i, b);
-        const CarriedPoint& carried = carried_[b * wisp_.sections() + i];
         // Its way over the block, as the body sees it: from where the nearest polygon would have
         // carried it to where it is.
-        const bool has_path = with_path && carried.near && !bearings_.segment_free(i, b) &&
-                              !bearings_.clear_way(i, b, carried.position, 0) &&
+        const bool may_have_path = with_path && !bearings_.segment_free(i, b);
+        const CarriedPoint carried = may_have_path ? bearings_.carried(i, b) : CarriedPoint{};
+        const bool has_path = carried.near && !bearings_.clear_way(i, b, carried.position, 0) &&
                               !escape_.inside(carried.position, b);
         const std::optional<Escape::Entry> entry =
             has_path ? escape_.entry(b, carried.position, p) : std::nullopt;
@@ -295,7 +296,6 @@ class Reactor {
 
     WispCopy& wisp_;
     std::span<const ContactBody> bodies_;
-    std::span<const CarriedPoint> carried_;
     Escape escape_;
     CharacterBearings bearings_;
     std::vector<std::uint8_t> exempt_; // sections × bodies
@@ -303,29 +303,70 @@ class Reactor {
     std::uint64_t reactions_ = 0;
 };
 
+/// What the regions tell of a packet's sections at the block's end: a bit per lane, bodies × rows.
+class FreeSections {
+  public:
+    FreeSections(std::size_t bodies, const Packet& packet)
+        : packet_(packet), bits_(bodies * packet.rows, 0) {}
+
+    std::uint16_t* of_body(std::size_t b) { return bits_.data() + b * packet_.rows; }
+
+    /// Whether the section that ends a segment and all that hangs on the segment are free.
+    bool segment(std::size_t b, std::uint32_t lane, std::uint32_t i) const {
+        const std::uint16_t* rows = bits_.data() + b * packet_.rows;
+        return (rows[i] & rows[i - 1] & 1u << lane) != 0;
+    }
+    bool whole_wisp(std::size_t bodies, std::uint32_t lane) const {
+        for (std::size_t b = 0; b < bodies; ++b)
+            for (std::uint32_t i = 2; i < packet_.sections[lane]; ++i)
+                if (!segment(b, lane, i))
+                    return false;
+        return true;
+    }
+
+  private:
+    const Packet& packet_;
+    std::vector<std::uint16_t> bits_;
+};
+
 } // namespace
 
 std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const ContactBody> bodies,
                                        const CharacterContactDesc& desc, State& state,
-                                       Threads& threads) const {
-    const std::size_t wisps = hair.groom.wisp_count();
-    const std::size_t chunks = (wisps + kWispsPerChunk - 1) / kWispsPerChunk;
-    std::vector<std::uint64_t> reactions(chunks, 0);
-    threads.run(chunks, [&](std::size_t chunk) {
+                                       Threads& threads) {
+    const std::size_t wisps = hair.groom.wisp_count(), packets = hair.layout.packets().size();
+    bool current = regions_.size() == bodies.size();
+    for (std::size_t b = 0; current && b < bodies.size(); ++b)
+        current = regions_[b].current(*bodies[b].surface);
+    carried_.resize(wisps);
+    std::vector<std::uint64_t> reactions(packets, 0);
+    threads.run(packets, [&](std::size_t p) {
+        const Packet& packet = hair.layout.packets()[p];
+        FreeSections free(bodies.size(), packet);
+        for (std::size_t b = 0; current && b < bodies.size(); ++b)
+            regions_[b].stay(region_test_, hair, p, free.of_body(b));
         WispCopy wisp;
-        const std::size_t end = std::min(wisps, (chunk + 1) * kWispsPerChunk);
-        for (std::size_t w = chunk * kWispsPerChunk; w < end; ++w) {
-            wisp.load(hair, static_cast<std::uint32_t>(w));
-            const std::vector<CarriedPoint> none(
-                w < carried_.size() ? 0 : bodies.size() * wisp.sections());
-            Reactor reactor(wisp, bodies, none.empty() ? carried_[w] : none, double(desc.push_out));
-            reactions[chunk] += reactor.run();
+        for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+            const std::uint32_t w = packet.wisp[lane];
+            if (w == Layout::kNoWisp || free.whole_wisp(bodies.size(), lane))
+                continue;
+            wisp.load(hair, w);
+            // without a detection, nothing is known of the block's start
+            carried_[w].resize(bodies.size() * wisp.sections());
+            Reactor reactor(wisp, bodies, carried_[w], double(desc.push_out));
+            for (std::uint32_t b = 0; b < bodies.size(); ++b)
+                for (std::uint32_t i = 2; i < wisp.sections(); ++i)
+                    if (free.segment(b, lane, i))
+                        reactor.bearings().set_free(i, b);
+            reactions[p] += reactor.run();
             for (std::uint32_t i = 2; i < wisp.sections(); ++i) {
                 if (reactor.moved(i))
                     wisp.store_place(hair, i, state);
             }
         }
     });
+    for (std::size_t b = 0; current && b < bodies.size(); ++b)
+        regions_[b].end();
     std::uint64_t sum = 0;
     for (std::uint64_t count : reactions)
         sum += count;

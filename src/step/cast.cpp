@@ -3,6 +3,7 @@
 #include "character/skinning.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace mane {
@@ -19,12 +20,33 @@ std::size_t bone_count(const Body& body) {
     return bones;
 }
 
+/// The bones that most of the vertices follow, at most as many as a surface takes frames.
+std::vector<std::uint32_t> main_bones(const Body& body) {
+    std::vector<double> weight(bone_count(body), 0);
+    for (std::size_t v = 0; v < body.skin.bones.size(); ++v)
+        for (std::size_t k = 0; k < Skin::kInfluences; ++k)
+            weight[body.skin.bones[v][k]] += double{body.skin.weights[v][k]};
+    std::vector<std::uint32_t> bones(weight.size());
+    std::iota(bones.begin(), bones.end(), 0u);
+    std::stable_sort(bones.begin(), bones.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return weight[a] > weight[b]; });
+    bones.resize(std::min(bones.size(), Drift::kFrames));
+    return bones;
+}
+
+RigidFrame frame_of(const BonePose& bone, const Vec3d& origin) {
+    return {bone.rotation.rotate({1, 0, 0}), bone.rotation.rotate({0, 1, 0}),
+            bone.rotation.rotate({0, 0, 1}), bone.position - origin};
+}
+
 } // namespace
 
 Cast::Cast(std::vector<Body> bodies) : bodies_(std::move(bodies)), posed_(bodies_.size()) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         posed_[b].vertices.resize(bodies_[b].mesh.vertices.size());
         posed_[b].velocities.resize(bodies_[b].mesh.vertices.size());
+        posed_[b].main_bones = main_bones(bodies_[b]);
+        posed_[b].frames.resize(posed_[b].main_bones.size());
         surfaces_.push_back(std::make_unique<Surface>(bodies_[b].mesh));
     }
 }
@@ -37,20 +59,24 @@ std::span<const BonePose> Cast::bones_at(std::size_t b, double time) const {
 }
 
 void Cast::pose(std::size_t b, double time, const Vec3d& origin) {
-    pose_mesh(bodies_[b], bones_at(b, time), origin, posed_[b].vertices, posed_[b].velocities);
+    const std::span<const BonePose> bones = bones_at(b, time);
+    Posed& posed = posed_[b];
+    pose_mesh(bodies_[b], bones, origin, posed.vertices, posed.velocities);
+    for (std::size_t f = 0; f < posed.frames.size(); ++f)
+        posed.frames[f] = frame_of(bones[posed.main_bones[f]], origin);
 }
 
 void Cast::begin(double time, const Vec3d& origin) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         pose(b, time, origin);
-        surfaces_[b]->reset(posed_[b].vertices);
+        surfaces_[b]->reset(posed_[b].vertices, posed_[b].frames);
     }
 }
 
 void Cast::advance(double time, double seconds, const Vec3d& origin) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         pose(b, time, origin);
-        surfaces_[b]->advance(posed_[b].vertices, seconds);
+        surfaces_[b]->advance(posed_[b].vertices, seconds, posed_[b].frames);
     }
 }
 

@@ -41,6 +41,8 @@ class Cast {
   private:
     struct Posed {
         std::vector<Vec3> vertices, velocities;
+        std::vector<std::uint32_t> main_bones; ///< those that most of the body follows
+        std::vector<RigidFrame> frames;        ///< where they are
     };
     std::span<const BonePose> bones_at(std::size_t b, double time) const;
     void pose(std::size_t b, double time, const Vec3d& origin);

@@ -9,7 +9,8 @@ Simulation::Simulation(const SimulationDesc& d, const Groom& g, const RunOptions
       root_axis(layout.packets().size(), 3), roots(layout.packets().size()),
       contact_geometry(options.instruction_set),
       wisp_detection(d.wisps, {}, options.instruction_set),
-      wisp_response(d.wisps, options.instruction_set), frames(layout.rows()),
+      wisp_response(d.wisps, options.instruction_set),
+      character_contacts({}, options.instruction_set), frames(layout.rows()),
       curve(curve_scratch(layout)), threads(options.threads) {
     if (!air.is_uniform())
         wind = Rows(layout.rows(), 3);

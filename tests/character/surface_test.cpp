@@ -95,7 +95,7 @@ void check_queries(const Case& c, std::size_t count) {
         CHECK(twin.distance(nearest->triangle, p) == doctest::Approx(distance).epsilon(1e-9));
         // a guess, good or bad, changes nothing
         for (std::uint32_t guess : {0u, nearest->triangle, 1000000u}) {
-            const auto again = posed.nearest(p, 1, {}, guess);
+            const auto again = posed.nearest(p, 1, guess);
             REQUIRE(again);
             CHECK(again->triangle == nearest->triangle);
             CHECK(again->closest.squared == nearest->closest.squared);
@@ -328,7 +328,7 @@ TEST_CASE("a filter changes the nearest place, and equally near triangles give t
     REQUIRE(first);
     CHECK(first->triangle == places[0].triangle);
     const auto other =
-        surface.start().nearest(p, 1, [&](const SurfacePlace& s) { return s.closest.point.y < 0; });
+        surface.start().nearest_accepted(p, 1, [&](const SurfacePlace& s) { return s.closest.point.y < 0; });
     REQUIRE(other);
     CHECK(other->closest.point.y < 0);
     CHECK(other->closest.squared > first->closest.squared);

@@ -1,0 +1,175 @@
+// The nearest points of triangles, some at a time, in double precision.
+#if defined(MANE_CHARACTER_CLOSEST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MANE_CHARACTER_CLOSEST_INL_H
+#undef MANE_CHARACTER_CLOSEST_INL_H
+#else
+#define MANE_CHARACTER_CLOSEST_INL_H
+#endif
+
+#include "base/pack-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mane::HWY_NAMESPACE {
+
+using DoubleTag = hn::CappedTag<double, 8>;
+inline constexpr std::size_t kDoubleLanes = hn::MaxLanes(DoubleTag());
+
+struct DoubleMask {
+    hn::Mask<DoubleTag> m;
+};
+HWY_INLINE DoubleMask operator&(DoubleMask a, DoubleMask b) {
+    return {hn::And(a.m, b.m)};
+}
+HWY_INLINE DoubleMask operator|(DoubleMask a, DoubleMask b) {
+    return {hn::Or(a.m, b.m)};
+}
+
+struct Doubles {
+    hn::Vec<DoubleTag> v;
+    Doubles() = default;
+    HWY_INLINE Doubles(hn::Vec<DoubleTag> vector) : v(vector) {}
+    HWY_INLINE Doubles(double x) : v(hn::Set(DoubleTag(), x)) {}
+    static HWY_INLINE Doubles load(const double* p) { return hn::Load(DoubleTag(), p); }
+    HWY_INLINE void store(double* p) const { hn::Store(v, DoubleTag(), p); }
+};
+HWY_INLINE Doubles operator+(Doubles a, Doubles b) {
+    return hn::Add(a.v, b.v);
+}
+HWY_INLINE Doubles operator-(Doubles a, Doubles b) {
+    return hn::Sub(a.v, b.v);
+}
+HWY_INLINE Doubles operator*(Doubles a, Doubles b) {
+    return hn::Mul(a.v, b.v);
+}
+HWY_INLINE Doubles operator/(Doubles a, Doubles b) {
+    return hn::Div(a.v, b.v);
+}
+HWY_INLINE DoubleMask operator<=(Doubles a, Doubles b) {
+    return {hn::Le(a.v, b.v)};
+}
+HWY_INLINE DoubleMask operator>=(Doubles a, Doubles b) {
+    return {hn::Ge(a.v, b.v)};
+}
+HWY_INLINE DoubleMask operator>(Doubles a, Doubles b) {
+    return {hn::Gt(a.v, b.v)};
+}
+HWY_INLINE Doubles select(DoubleMask m, Doubles a, Doubles b) {
+    return hn::IfThenElse(m.m, a.v, b.v);
+}
+
+struct Doubles3 {
+    Doubles x, y, z;
+};
+HWY_INLINE Doubles3 operator-(Doubles3 a, Doubles3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+HWY_INLINE Doubles dot(Doubles3 a, Doubles3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+struct ClosestPoints {
+    Doubles3 point, barycentric;
+    Doubles squared;
+};
+
+/// closest_on_triangle(), operation by operation: the same bits. Where that returns early, a lane
+/// takes the first region that it is in.
+HWY_INLINE ClosestPoints closest_on_triangles(Doubles3 p, Doubles3 a, Doubles3 b, Doubles3 c) {
+    const Doubles zero(0.0), one(1.0);
+    const Doubles3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const Doubles d1 = dot(ab, ap), d2 = dot(ac, ap), d3 = dot(ab, bp), d4 = dot(ac, bp),
+                  d5 = dot(ab, cp), d6 = dot(ac, cp);
+    const Doubles vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+    const Doubles e = d4 - d3, f = d5 - d6;
+
+    const DoubleMask at_a = (d1 <= zero) & (d2 <= zero), at_b = (d3 >= zero) & (d4 <= d3),
+                     at_c = (d6 >= zero) & (d5 <= d6);
+    const DoubleMask on_ab = (vc <= zero) & (d1 >= zero) & (d3 <= zero) & (d1 - d3 > zero),
+                     on_ac = (vb <= zero) & (d2 >= zero) & (d6 <= zero) & (d2 - d6 > zero),
+                     on_bc = (va <= zero) & (e >= zero) & (f >= zero) & (e + f > zero);
+    const Doubles sum = va + vb + vc;
+    const DoubleMask face = sum > zero;
+
+    const Doubles part = select(on_ab, d1, select(on_ac, d2, select(on_bc, e, va)));
+    const Doubles whole = select(
+        on_ab, d1 - d3, select(on_ac, d2 - d6, select(on_bc, e + f, select(face, sum, one))));
+    const Doubles s = part / whole, rest = one - s;
+    const Doubles area = select(face, sum, one);
+
+    // from the last region to the first
+    Doubles3 w{select(face, s, one), select(face, vb / area, zero), select(face, vc / area, zero)};
+    const auto where = [&](DoubleMask m, Doubles x, Doubles y, Doubles z) {
+        w = {select(m, x, w.x), select(m, y, w.y), select(m, z, w.z)};
+    };
+    where(on_bc, zero, rest, s);
+    where(on_ac, rest, zero, s);
+    where(on_ab, rest, s, zero);
+    where(at_c, zero, zero, one);
+    where(at_b, zero, one, zero);
+    where(at_a, one, zero, zero);
+
+    const Doubles3 point{a.x * w.x + b.x * w.y + c.x * w.z, a.y * w.x + b.y * w.y + c.y * w.z,
+                         a.z * w.x + b.z * w.y + c.z * w.z};
+    const Doubles3 gap = p - point;
+    return {point, w, dot(gap, gap)};
+}
+
+/// Triangles whose nearest points are wanted, a few vectors of them.
+class Candidates {
+  public:
+    HWY_INLINE explicit Candidates(const Vec3d& p) : p_(p) {}
+
+    HWY_INLINE bool full() const { return count_ == kMost; }
+    HWY_INLINE void add(std::uint32_t i, const std::array<Vec3, 3>& corners) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            corner_[3 * c][count_] = double(corners[c].x);
+            corner_[3 * c + 1][count_] = double(corners[c].y);
+            corner_[3 * c + 2][count_] = double(corners[c].z);
+        }
+        number_[count_++] = i;
+    }
+
+    /// Calls use(closest, i) for each, in order; then there are none.
+    template <typename Use> HWY_INLINE void evaluate(Use&& use) {
+        const Doubles3 p{p_.x, p_.y, p_.z};
+        for (std::size_t first = 0; first < count_; first += kDoubleLanes) {
+            for (std::size_t i = count_; i < first + kDoubleLanes; ++i)
+                for (auto& numbers : corner_)
+                    numbers[i] = numbers[first];
+            const auto corner = [&](std::size_t c) -> Doubles3 {
+                return {Doubles::load(corner_[3 * c] + first),
+                        Doubles::load(corner_[3 * c + 1] + first),
+                        Doubles::load(corner_[3 * c + 2] + first)};
+            };
+            const ClosestPoints found = closest_on_triangles(p, corner(0), corner(1), corner(2));
+            alignas(64) double numbers[7][kDoubleLanes];
+            found.point.x.store(numbers[0]);
+            found.point.y.store(numbers[1]);
+            found.point.z.store(numbers[2]);
+            found.barycentric.x.store(numbers[3]);
+            found.barycentric.y.store(numbers[4]);
+            found.barycentric.z.store(numbers[5]);
+            found.squared.store(numbers[6]);
+            for (std::size_t i = 0; i < kDoubleLanes && first + i < count_; ++i) {
+                ClosestPoint closest;
+                closest.point = {numbers[0][i], numbers[1][i], numbers[2][i]};
+                closest.barycentric = {numbers[3][i], numbers[4][i], numbers[5][i]};
+                closest.squared = numbers[6][i];
+                use(closest, number_[first + i]);
+            }
+        }
+        count_ = 0;
+    }
+
+  private:
+    static constexpr std::size_t kMost = 16;
+    Vec3d p_;
+    std::size_t count_ = 0;
+    alignas(64) double corner_[9][kMost + 8];
+    std::uint32_t number_[kMost];
+};
+
+} // namespace mane::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "character/box_tests.h"
+#include "character/triangle_geometry.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace mane {
+
+/// A place on a surface: a point of one of its triangles.
+struct SurfacePlace {
+    std::uint32_t triangle = 0;
+    ClosestPoint closest;
+};
+
+/// A tree and the triangles in its order.
+struct SearchedTriangles {
+    const TriangleTree& tree;
+    std::span<const std::array<Vec3, 3>> corners;
+};
+
+/// The searches that go through many boxes and triangles, compiled once per instruction set. What
+/// they find does not depend on it: closest points are those of closest_on_triangle() to the bit.
+struct SurfaceSearch {
+    /// The nearest place within `radius`; of equally near triangles the lowest.
+    std::optional<SurfacePlace> (*nearest)(const SearchedTriangles& in, const Vec3d& p,
+                                           double radius);
+    /// The nearest places of all triangles within `radius`, in the tree's order.
+    void (*within)(const SearchedTriangles& in, const Vec3d& p, double radius,
+                   std::vector<SurfacePlace>& places);
+    /// Calls visit(context, i) for triangles that the line may cross, i their place in the tree's
+    /// order, until it returns false.
+    void (*along)(const SearchedTriangles& in, const BoxCrossings& line, void* context,
+                  bool (*visit)(void* context, std::uint32_t i));
+    /// See PosedSurface::roof.
+    float (*roof)(const SearchedTriangles& in, const BoxHeights& heights, float floor,
+                  float enough);
+};
+/// For the machine's best instruction set.
+const SurfaceSearch& surface_search();
+
+} // namespace mane
