@@ -10,7 +10,7 @@ Simulation::Simulation(const SimulationDesc& d, const Groom& g, const RunOptions
       contact_geometry(options.instruction_set),
       wisp_detection(d.wisps, {}, options.instruction_set),
       wisp_response(d.wisps, options.instruction_set), frames(layout.rows()),
-      curve(curve_scratch(layout)), threads(options.threads) {
+      curve(curve_scratch(layout)), threads(options.threads), on_stage(options.on_stage) {
     if (!air.is_uniform())
         wind = Rows(layout.rows(), 3);
 }
