@@ -57,6 +57,7 @@ TEST_CASE("bench measures simulations, and what it says fits together") {
     const Json m = medians(all, "styles/long/paper");
     CHECK(m["wisps"] == 8);
     CHECK(m["segments"] == 32);
+    CHECK(m["packet_rows"] == 4.0); // eight wisps are half a packet
     CHECK(m["frames"] == 2);
     CHECK(m["simulated_seconds"].get<double>() == doctest::Approx(2 / 24.0));
     CHECK(m["peak_mb"].get<double>() > 1);

@@ -103,6 +103,7 @@ class Run {
                 {"instruction_set", world_->instruction_set()},
                 {"wisps", setup_.groom.wisp_count()},
                 {"segments", segments()},
+                {"packet_rows", packet_rows(setup_.groom)},
                 {"frames", scene_.simulation.schedule.frames},
                 {"simulated_seconds", seconds},
                 {"loading_seconds", loading_.wall()},
