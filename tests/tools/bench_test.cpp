@@ -150,3 +150,18 @@ TEST_CASE("a case that cannot run is said with its name") {
     CHECK(r.code == 2);
     CHECK(r.err == "mane: styles/long/paper: ./scenes/long.toml: cannot be read\n");
 }
+
+TEST_CASE("a signal ends bench after the rounds that are whole, and its runs with it") {
+    Project project;
+    const std::string command = "cd '" + project.path.string() +
+                                "' && timeout --preserve-status -s TERM 3 '" MANE_COMMAND
+                                "' bench --only styles/long/paper --runs 1000 --frames 1 "
+                                ">out.txt 2>err.txt";
+    const int status = std::system(command.c_str());
+    CHECK(WEXITSTATUS(status) == 143);
+    const std::string said = project.read("err.txt");
+    CHECK(said.starts_with("mane: interrupted after "));
+    CHECK(said.ends_with(" of 1000 rounds\n"));
+    if (!said.starts_with("mane: interrupted after 0 "))
+        CHECK(project.read("out.txt").find("styles/long/paper") != std::string::npos);
+}

@@ -36,7 +36,8 @@ class Child {
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-        posix_spawn_file_actions_addclose(&actions, ends[0]);
+        for (const int end : ends)
+            posix_spawn_file_actions_addclose(&actions, end);
         std::string command = "bench-one";
         std::array<char*, 4> arguments{program.data(), command.data(), argument.data(), nullptr};
         const int error =
