@@ -12,6 +12,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
 
 STAGES = ["forces", "wisp detection", "character detection", "velocities", "positions", "other"]
 COLOURS = ["#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#bbbbbb"]
@@ -40,7 +41,7 @@ def plot_series(rows, where, file):
     for row in rows:
         width = row["case"].split("/")[1].rsplit("-", 1)[0]
         curves.setdefault((width, int(row["threads"])), []).append((int(row["wisps"]), float(row["frame_ms"])))
-    for (width, threads), points in sorted(curves.items()):
+    for (width, threads), points in sorted(curves.items(), reverse=True):
         points.sort()
         wisps, ms = zip(*points)
         style = {"marker": "o", "linestyle": "--" if threads == 1 else "-", "color": COLOURS[0 if width == "wide" else 1]}
@@ -48,10 +49,13 @@ def plot_series(rows, where, file):
         whole.loglog(wisps, ms, label=label, **style)
         each.semilogx(wisps, [1e3 * m / n for n, m in points], label=label, **style)
     whole.axhline(FRAME_MS, color="#666666", linewidth=0.8)
-    whole.annotate("real time at 24 Hz", (whole.get_xlim()[0] * 1.2, FRAME_MS * 1.1), fontsize=7, color="#666666")
+    whole.annotate("real time at 24 Hz", (0.98, FRAME_MS), xycoords=("axes fraction", "data"), ha="right", va="bottom", fontsize=7, color="#666666")
     whole.set(xlabel="wisps", ylabel="ms per frame")
     each.set(xlabel="wisps", ylabel="µs per wisp and frame", ylim=(0, None))
-    whole.legend(fontsize=7)
+    whole.legend(fontsize=7, handlelength=4)
+    for axis in (whole.xaxis, whole.yaxis, each.xaxis):
+        axis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,g}"))
+        axis.set_minor_formatter(NullFormatter())
     save(figure, where, file)
 
 
