@@ -44,3 +44,10 @@ endif()
 
 # SSSE3 would only add to the build: every machine that has it and not SSE4 is from before 2008.
 target_compile_definitions(mane_highway INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+
+# What vectors are worth is measured against the same code without any: neither ours nor the compiler's.
+option(MANE_SCALAR "no SIMD at all, for `mane bench --plain-core`" OFF)
+if(MANE_SCALAR)
+    target_compile_definitions(mane_highway INTERFACE HWY_COMPILE_ONLY_SCALAR)
+    add_compile_options(-fno-tree-vectorize -fno-tree-slp-vectorize)
+endif()

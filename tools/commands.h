@@ -19,6 +19,7 @@ struct SimulateOptions {
     std::vector<std::string> settings;
     std::string rates;
     std::string statistics;
+    std::string trace;
     std::string instruction_set;
     unsigned threads = 1;
     bool record = false;
@@ -77,6 +78,20 @@ struct CheckOptions {
     bool json = false;
 };
 int check(const CheckOptions& options);
+
+struct BenchOptions {
+    std::vector<std::string> only; ///< names of cases or of groups of them; empty: all
+    std::string project = ".";     ///< holds scenes/ and bench/scenes/
+    std::string json, csv;         ///< file, folder; empty: none
+    std::string plain_core, twin;  ///< programs for core/plain and core/twin; empty: not measured
+    unsigned threads = 0;
+    std::uint32_t runs = 5;
+    std::optional<std::uint32_t> frames;
+    bool list = false;
+};
+int bench(const BenchOptions& options);
+/// One run of a case, as JSON in and out: what `bench` starts for each of its runs.
+int bench_one(const std::string& what);
 
 struct HelpSceneOptions {
     std::string section;

@@ -18,6 +18,7 @@ constexpr const char* kExamples = R"(Examples:
   mane extract long.mane --frame 100 -o long.hair
   mane picture long.mane --frame 0 60 120 --view face profile back -o long.png
   mane info long.mane
+  mane bench --only styles --runs 3
   mane help scene skeleton
 
 Exit codes: 0 done, 1 a check, a comparison or a run failed, 2 bad input, 130 or 143 interrupted.)";
@@ -45,6 +46,11 @@ void add_simulate(CLI::App& app, Run& run) {
     command->add_option("--rates", o.rates,
                         "preset of the rates: default, paper, fine, paper-literal");
     command->add_option("--stats", o.statistics, "write the statistics as JSON")
+        ->type_name("FILE.json");
+    command
+        ->add_option("--trace", o.trace,
+                     "write when each stage of each step ran, for ui.perfetto.dev; some 13 MB per "
+                     "1000 frames")
         ->type_name("FILE.json");
     command->add_flag("--record", o.record,
                       "also store the contacts, times and counts of every frame");
@@ -143,6 +149,34 @@ void add_picture(CLI::App& app, Run& run) {
 }
 #endif
 
+void add_bench(CLI::App& app, Run& run) {
+    static BenchOptions o;
+    CLI::App* command = app.add_subcommand(
+        "bench", "Measure: medians of runs in turn, beside the quality and the machine's peaks");
+    command->add_option("--only", o.only, "cases or groups of them, as --list names them");
+    command->add_flag("--list", o.list, "name the cases and measure nothing");
+    command->add_option("--runs", o.runs, "runs of each case")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--frames", o.frames, "measure at most so many frames of each")
+        ->check(CLI::Range(1, 1000000));
+    command->add_option("--threads", o.threads,
+                        "threads of cases on more than one; 0: as many as the machine has");
+    command->add_option("--json", o.json, "write all runs and medians")->type_name("FILE.json");
+    command->add_option("--csv", o.csv, "write the medians, a file per group")->type_name("DIR");
+    command->add_option("--project", o.project, "where scenes/ and bench/scenes/ are")
+        ->capture_default_str();
+    command->add_option("--plain-core", o.plain_core,
+                        "a mane built with MANE_SCALAR, for the case core/plain");
+    command->add_option("--twin", o.twin, "tests/runs/bench_twin, for the case core/twin");
+    command->callback([&run] { run = [] { return bench(o); }; });
+
+    static std::string what;
+    CLI::App* one = app.add_subcommand("bench-one", "One run of a case")->group("");
+    one->add_option("CASE", what)->required();
+    one->callback([&run] { run = [] { return bench_one(what); }; });
+}
+
 void add_help(CLI::App& app, Run& run) {
     static HelpSceneOptions o;
     CLI::App* command = app.add_subcommand("help", "Help on scene files");
@@ -168,6 +202,7 @@ int run_command(int argc, char** argv) {
 #ifdef MANE_HAS_PICTURE
     add_picture(app, run);
 #endif
+    add_bench(app, run);
     add_help(app, run);
     try {
         app.parse(argc, argv);

@@ -8,7 +8,8 @@
 
 namespace mane::tool {
 
-Progress::Progress(std::size_t frames) : frames_(frames), terminal_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::size_t frames, const char* unit)
+    : frames_(frames), unit_(unit), terminal_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (terminal_)
@@ -28,10 +29,10 @@ void Progress::show(std::size_t done) {
     std::string bar;
     for (std::size_t i = 0; i < width; ++i)
         bar += i < full ? "━" : "·";
-    fmt::print(stderr, "\r\x1b[K{} {:3.0f} %  frame {}/{}", bar, 100 * share, done, frames_);
+    fmt::print(stderr, "\r\x1b[K{} {:3.0f} %  {} {}/{}", bar, 100 * share, unit_, done, frames_);
     if (done > 0)
-        fmt::print(stderr, "  {:.1f} frames/s, {:.0f} s left", static_cast<double>(done) / spent,
-                   spent / share - spent);
+        fmt::print(stderr, "  {:.1f} {}s/s, {:.0f} s left", static_cast<double>(done) / spent,
+                   unit_, spent / share - spent);
     std::fflush(stderr);
 }
 

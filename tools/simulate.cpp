@@ -6,8 +6,10 @@
 #include "mane/scene.h"
 #include "mane/setup.h"
 #include "mane/world.h"
+#include "poses.h"
 #include "progress.h"
 #include "report.h"
+#include "trace.h"
 
 #include <fmt/core.h>
 
@@ -34,16 +36,6 @@ SceneDesc load_scene(const SimulateOptions& options) {
     if (options.frames)
         apply_setting(scene, "schedule.frames=" + std::to_string(*options.frames));
     return scene;
-}
-
-BodyPoses poses_at(const std::vector<Body>& bodies, double time) {
-    BodyPoses poses;
-    for (const Body& body : bodies) {
-        poses.emplace_back(body.motion ? body.motion->bone_count() : 0);
-        if (body.motion)
-            body.motion->evaluate(time, poses.back());
-    }
-    return poses;
 }
 
 /// What one frame added to the statistics: the profile and the contacts of `--record`.
@@ -99,12 +91,12 @@ std::vector<Column> contact_table(const std::vector<Contact>& contacts) {
 /// One run: the preroll, which is not stored, and the frames of the scene.
 class Run {
   public:
-    Run(const SimulateOptions& options, const SceneDesc& scene, const RunSetup& setup)
-        : options_(options), schedule_(scene.simulation.schedule), setup_(setup),
+    Run(const SimulateOptions& options, const SceneDesc& scene, const RunSetup& setup, Trace* trace)
+        : options_(options), schedule_(scene.simulation.schedule), setup_(setup), trace_(trace),
           preroll_(static_cast<std::uint32_t>(std::ceil(schedule_.preroll * schedule_.frame_rate))),
           world_(scene.simulation, setup.groom, setup.bodies,
                  -static_cast<double>(preroll_) / schedule_.frame_rate,
-                 {options.threads, options.instruction_set}) {}
+                 {options.threads, options.instruction_set, stage_observer(trace)}) {}
 
     /// Simulates until the end or a signal.
     void simulate(CacheWriter& cache, const Interrupt& interrupt) {
@@ -113,7 +105,7 @@ class Run {
         Progress progress(preroll_ + schedule_.frames);
         for (std::uint32_t i = 0; i < preroll_ + schedule_.frames && !interrupt.signal(); ++i) {
             if (i > 0)
-                advance();
+                advance(std::int64_t{i} - preroll_);
             if (i >= preroll_)
                 store(cache, i - preroll_);
             progress.show(i + 1);
@@ -141,9 +133,18 @@ class Run {
     }
 
   private:
-    void advance() {
+    static std::function<void(const StageSpan&)> stage_observer(Trace* trace) {
+        if (!trace)
+            return nullptr;
+        return [trace](const StageSpan& span) { trace->add(span); };
+    }
+
+    void advance(std::int64_t frame) {
         before_ = world_.statistics();
+        const Clock::time_point start = Clock::now();
         world_.advance();
+        if (trace_)
+            trace_->add_frame(frame, start, Clock::now());
     }
 
     void store(CacheWriter& cache, std::uint32_t index) {
@@ -156,11 +157,14 @@ class Run {
             cache.add_table("CONT", index, contact_table(world_.contacts()));
         }
         writing_seconds_ += seconds_since(start);
+        if (trace_)
+            trace_->add_writing(start, Clock::now());
     }
 
     const SimulateOptions& options_;
     ScheduleDesc schedule_;
     const RunSetup& setup_;
+    Trace* trace_;          ///< null: nobody wants to see the stages
     std::uint32_t preroll_; ///< [1] frames before the first stored one
     World world_;
     Statistics before_;
@@ -182,7 +186,10 @@ int simulate(const SimulateOptions& options) {
     const RunSetup setup = prepare(scene);
     for (const std::string& warning : setup.warnings)
         fmt::print(stderr, "mane: warning: {}\n", warning);
-    Run run(options, scene, setup);
+    std::optional<Trace> trace;
+    if (!options.trace.empty())
+        trace.emplace(options.trace);
+    Run run(options, scene, setup, trace ? &*trace : nullptr);
     CacheWriter cache(options.output, setup);
     const Interrupt interrupt;
     try {
@@ -198,6 +205,8 @@ int simulate(const SimulateOptions& options) {
     cache.finish(json);
     if (!options.statistics.empty())
         write_statistics(options.statistics, json);
+    if (trace)
+        trace->finish();
     if (interrupt.signal()) {
         fmt::print(stderr, "mane: interrupted; {} holds the {} frames so far\n", options.output,
                    report.frames);

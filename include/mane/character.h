@@ -45,6 +45,11 @@ struct HeadTurn {
 /// and ends in the rest pose, C² throughout.
 std::shared_ptr<const Motion> builtin_motion(const BustJoints& joints = bust_joints());
 
+/// Shakes the head for ever, on shoulders that stand still: a yaw of `angle` sin(2π `rate` t) [rad,
+/// Hz]. Throws InputError for values that are not finite or a rate that is not over 0.
+std::shared_ptr<const Motion> shake_motion(double angle, double rate,
+                                           const BustJoints& joints = bust_joints());
+
 /// How a clip drives the three bones.
 struct ClipMotionDesc {
     double unit = 1;         ///< [m] one unit of the clip's positions

@@ -34,8 +34,10 @@ struct CharacterDesc {
 struct MotionDesc {
     std::string clip; ///< BVH file; empty: the built-in motion
     ClipMotionDesc drive;
-    bool still = false; ///< the character does not move at all
-    double freeze = 0;  ///< [s] from this time on the motion comes to rest; 0: never
+    double shake = 0;      ///< [deg] the head shakes by this to both sides instead; 0: not
+    double shake_rate = 1; ///< [Hz] of that shake
+    bool still = false;    ///< the character does not move at all
+    double freeze = 0;     ///< [s] from this time on the motion comes to rest; 0: never
 };
 
 /// What an obstacle looks like.

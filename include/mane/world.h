@@ -7,7 +7,9 @@
 #include "mane/frame.h"
 #include "mane/groom.h"
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,10 +44,18 @@ struct Statistics {
     std::uint64_t penetration_reactions = 0; ///< points moved out, summed over detections (§4.2)
 };
 
+/// One time that a stage ran.
+struct StageSpan {
+    Stage stage;
+    std::chrono::steady_clock::time_point begin, end;
+};
+
 /// How a world runs; changes no result.
 struct RunOptions {
     unsigned threads = 1;        ///< 0: as many as the machine has
     std::string instruction_set; ///< "": the best of the machine; else avx512, avx2, sse4, scalar
+    std::function<void(const StageSpan&)>
+        on_stage; ///< called after each stage by the thread in `advance`; must not throw
 };
 
 /// A head of hair in motion. Frame 0 is the groom as designed, in the first body's pose at

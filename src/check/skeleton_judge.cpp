@@ -1,7 +1,6 @@
 #include "check/judge.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace mane::judge {
 namespace {
@@ -28,13 +27,13 @@ class SkeletonJudge final : public Judge {
         const Question inside{"skeleton_inside", "skeleton points inside a body, over all frames",
                               "1", 0};
         std::optional<Offender> worst;
-        std::string note;
-        if (inside_ > 0) {
-            char text[64];
-            std::snprintf(text, sizeof text, "deepest %.1f mm", 1000 * deepest_.value);
-            worst = deepest_.where, note = text;
-        }
-        criteria.push_back(answered(inside, static_cast<double>(inside_), worst, note));
+        if (inside_ > 0)
+            worst = deepest_.where;
+        criteria.push_back(answered(inside, static_cast<double>(inside_), worst));
+        Criterion depth = measured("skeleton_depth", "how deep the deepest of them is", "m",
+                                   inside_ > 0 ? deepest_.value : 0, "no point may be inside");
+        depth.worst = worst;
+        criteria.push_back(depth);
 
         const Question through{"axis_through", "longest time that a segment's axis stays in a body",
                                "s", run_.bounds.axis_through};

@@ -1,5 +1,6 @@
 #include "mane/setup.h"
 
+#include "base/functions.h"
 #include "mane/error.h"
 #include "mane/import.h"
 #include "mane/scene.h"
@@ -24,11 +25,17 @@ class Follower : public Motion {
     std::uint32_t bone_;
 };
 
+std::shared_ptr<const Motion> moving(const MotionDesc& desc) {
+    if (!desc.clip.empty())
+        return clip_motion(read_bvh(desc.clip), desc.drive);
+    constexpr double kDegree = kPi / 180;
+    return desc.shake > 0 ? shake_motion(desc.shake * kDegree, desc.shake_rate) : builtin_motion();
+}
+
 std::shared_ptr<const Motion> make_motion(const MotionDesc& desc) {
     if (desc.still)
         return nullptr;
-    std::shared_ptr<const Motion> motion =
-        desc.clip.empty() ? builtin_motion() : clip_motion(read_bvh(desc.clip), desc.drive);
+    std::shared_ptr<const Motion> motion = moving(desc);
     return desc.freeze > 0 ? frozen_motion(std::move(motion), desc.freeze) : motion;
 }
 

@@ -60,15 +60,56 @@ double squared_distance(const Vec3d& a, const Vec3d& b) {
     return dot(a - b, a - b);
 }
 
-// Each next one is the candidate that is farthest from those chosen before.
+// Candidates that follow each other, which lie together because they are sorted by triangle.
+struct Cluster {
+    static constexpr std::size_t kSize = 64;
+    Vec3d low, high;
+    double widest = std::numeric_limits<double>::infinity(); // of the gaps in it
+    std::size_t where;                                       // the first candidate that has it
+
+    double squared_distance_to(const Vec3d& p) const {
+        const Vec3d way{std::max({low.x - p.x, p.x - high.x, 0.0}),
+                        std::max({low.y - p.y, p.y - high.y, 0.0}),
+                        std::max({low.z - p.z, p.z - high.z, 0.0})};
+        return dot(way, way);
+    }
+};
+
+std::vector<Cluster> clusters_of(const std::vector<ScalpPoint>& from) {
+    std::vector<Cluster> clusters;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const Vec3d& p = from[i].position;
+        if (i % Cluster::kSize == 0)
+            clusters.push_back({.low = p, .high = p, .where = i});
+        Vec3d &low = clusters.back().low, &high = clusters.back().high;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    return clusters;
+}
+
+// Each next one is the candidate that is farthest from those chosen before. It narrows no gap of a
+// cluster that is farther from it than the widest of them, so such clusters are passed by: all
+// pairs would take a minute for ten thousand wisps.
 std::vector<std::size_t> farthest_first(const std::vector<ScalpPoint>& from, std::size_t count) {
     std::vector<double> gap(from.size(), std::numeric_limits<double>::infinity());
+    std::vector<Cluster> clusters = clusters_of(from);
     std::vector<std::size_t> chosen;
     for (std::size_t next = 0; chosen.size() < count;) {
         chosen.push_back(next);
-        for (std::size_t i = 0; i < from.size(); ++i)
-            gap[i] = std::min(gap[i], squared_distance(from[i].position, from[next].position));
-        next = static_cast<std::size_t>(std::max_element(gap.begin(), gap.end()) - gap.begin());
+        const Vec3d& taken = from[next].position;
+        for (Cluster& cluster : clusters) {
+            if (cluster.squared_distance_to(taken) >= cluster.widest)
+                continue;
+            const std::size_t begin = cluster.where / Cluster::kSize * Cluster::kSize,
+                              end = std::min(begin + Cluster::kSize, from.size());
+            for (std::size_t i = begin; i < end; ++i)
+                gap[i] = std::min(gap[i], squared_distance(from[i].position, taken));
+            const auto widest = std::max_element(&gap[begin], &gap[begin] + (end - begin));
+            cluster.widest = *widest;
+            cluster.where = static_cast<std::size_t>(widest - gap.data());
+        }
+        next = std::ranges::max_element(clusters, {}, &Cluster::widest)->where;
     }
     return chosen;
 }

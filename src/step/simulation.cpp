@@ -11,7 +11,7 @@ Simulation::Simulation(const SimulationDesc& d, const Groom& g, const RunOptions
       wisp_detection(d.wisps, {}, options.instruction_set),
       wisp_response(d.wisps, options.instruction_set),
       character_contacts({}, options.instruction_set), frames(layout.rows()),
-      curve(curve_scratch(layout)), threads(options.threads) {
+      curve(curve_scratch(layout)), threads(options.threads), on_stage(options.on_stage) {
     if (!air.is_uniform())
         wind = Rows(layout.rows(), 3);
 }

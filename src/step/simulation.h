@@ -47,6 +47,7 @@ struct Simulation {
     Rows wind; ///< [m/s] at every skeleton point, where the air is not uniform
     Threads threads;
     Statistics statistics;
+    std::function<void(const StageSpan&)> on_stage;
 
     HairView hair() const { return {groom, layout, rest, state, frames, lines}; }
     KernelData kernel_data();
@@ -59,19 +60,25 @@ struct Simulation {
     }
 };
 
-/// Adds the time of a scope to a stage.
+/// Adds the time of a scope to a stage, and shows it to who wants to see it.
 class StageTimer {
   public:
-    StageTimer(Statistics& statistics, Stage stage)
-        : seconds_(statistics.stage_seconds[static_cast<std::size_t>(stage)]),
-          begin_(Clock::now()) {}
-    ~StageTimer() { seconds_ += std::chrono::duration<double>(Clock::now() - begin_).count(); }
+    StageTimer(Simulation& simulation, Stage stage)
+        : simulation_(simulation), stage_(stage), begin_(Clock::now()) {}
+    ~StageTimer() {
+        const Clock::time_point end = Clock::now();
+        simulation_.statistics.stage_seconds[static_cast<std::size_t>(stage_)] +=
+            std::chrono::duration<double>(end - begin_).count();
+        if (simulation_.on_stage)
+            simulation_.on_stage({stage_, begin_, end});
+    }
     StageTimer(const StageTimer&) = delete;
     StageTimer& operator=(const StageTimer&) = delete;
 
   private:
     using Clock = std::chrono::steady_clock;
-    double& seconds_;
+    Simulation& simulation_;
+    Stage stage_;
     Clock::time_point begin_;
 };
 

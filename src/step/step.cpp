@@ -21,7 +21,7 @@ void find_section_frames(Simulation& s) {
 }
 
 void detect_wisp_contacts(Simulation& s) {
-    const StageTimer timer(s.statistics, Stage::wisp_detection);
+    const StageTimer timer(s, Stage::wisp_detection);
     s.wisp_detection.detect(s.hair(), s.contact_geometry.points(), s.threads);
     s.wisp_response.engage(s.hair(), s.contact_geometry, s.wisp_detection.contacts());
     ++s.statistics.wisp_detections;
@@ -33,7 +33,7 @@ void detect_wisp_contacts(Simulation& s) {
 }
 
 void detect_character_contacts(Simulation& s) {
-    const StageTimer timer(s.statistics, Stage::character_detection);
+    const StageTimer timer(s, Stage::character_detection);
     s.character_contacts.detect(s.hair(), s.bodies, s.desc.character, s.threads);
     ++s.statistics.character_detections;
     s.statistics.sliding_contacts += s.character_contacts.count();
@@ -63,7 +63,7 @@ void answer_character_contacts(Simulation& s, const StepPlace& place) {
 
 /// 1. Forces: gravity, air resistance, springs; and the first half of 3., velocities from them.
 void process_forces(Simulation& s) {
-    const StageTimer timer(s.statistics, Stage::forces);
+    const StageTimer timer(s, Stage::forces);
     const KernelData data = s.kernel_data();
     s.for_packets(
         [&](std::size_t first, std::size_t last) { s.kernels.process_forces(data, first, last); });
@@ -86,7 +86,7 @@ void detect_interactions(Simulation& s, const StepPlace& place) {
 /// 3. The velocity modifications. The character comes last: what wisps do to each other must not
 /// push one into it.
 void modify_velocities(Simulation& s, const StepPlace& place) {
-    const StageTimer timer(s.statistics, Stage::velocities);
+    const StageTimer timer(s, Stage::velocities);
     const KernelData data = s.kernel_data();
     s.for_packets([&](std::size_t first, std::size_t last) {
         s.kernels.move_root_velocities(data, place.end(), first, last);
@@ -98,7 +98,7 @@ void modify_velocities(Simulation& s, const StepPlace& place) {
 
 /// 4. Positions from the new velocities.
 void process_positions(Simulation& s, const StepPlace& place) {
-    const StageTimer timer(s.statistics, Stage::positions);
+    const StageTimer timer(s, Stage::positions);
     const KernelData data = s.kernel_data();
     s.for_packets([&](std::size_t first, std::size_t last) {
         s.kernels.process_positions(data, place.end(), first, last);
@@ -109,7 +109,7 @@ void process_positions(Simulation& s, const StepPlace& place) {
 void modify_positions(Simulation& s, const StepPlace& place) {
     if (!place.last())
         return;
-    const StageTimer timer(s.statistics, Stage::character_detection);
+    const StageTimer timer(s, Stage::character_detection);
     find_section_frames(s);
     s.statistics.penetration_reactions +=
         s.character_contacts.react(s.hair(), s.bodies, s.desc.character, s.state, s.threads);

@@ -23,6 +23,9 @@ class TwinWorld {
     const reference::Hair& hair() const { return hair_; }
     Vec3d origin() const { return core_.origin; }
     const Statistics& statistics() const { return core_.statistics; }
+    /// [s] that the twin's own steps took: forces, answers and positions, without what the core
+    /// finds for it.
+    double step_seconds() const { return step_seconds_; }
 
   private:
     void enter_block(double time, double seconds);
@@ -39,6 +42,7 @@ class TwinWorld {
     reference::Hair hair_;
     std::vector<reference::Contact> contacts_;
     std::uint64_t frames_ = 0;
+    double step_seconds_ = 0;
 };
 
 } // namespace mane

@@ -1,0 +1,59 @@
+// The twin as a case of `mane bench --twin`: how long its steps take on the contacts that the core
+// finds. A case comes as JSON, and what it took goes out as JSON.
+//   bench_twin bench-one '{"scene": "bench/scenes/wide-1000.toml", "rates": "", "most_frames": 0}'
+
+#include "mane/error.h"
+#include "mane/scene.h"
+#include "mane/setup.h"
+#include "step/twin_world.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+using namespace mane;
+using Json = nlohmann::ordered_json;
+
+Json measure(const Json& c) {
+    SceneDesc scene = read_scene(c["scene"].get<std::string>());
+    if (const std::string rates = c["rates"]; !rates.empty())
+        apply_rates(scene, rates);
+    const ScheduleDesc& schedule = scene.simulation.schedule;
+    const std::uint32_t most = c["most_frames"];
+    const auto limited = [&](std::uint32_t n) { return most > 0 ? std::min(n, most) : n; };
+    const std::uint32_t frames = limited(schedule.frames),
+                        before = limited(static_cast<std::uint32_t>(
+                            std::ceil(schedule.preroll * schedule.frame_rate)));
+    RunSetup setup = prepare(scene);
+    TwinWorld twin(scene.simulation, setup.groom, setup.bodies);
+    for (std::uint32_t i = 0; i < before; ++i)
+        twin.advance();
+    const double start = twin.step_seconds();
+    for (std::uint32_t i = 0; i < frames; ++i)
+        twin.advance();
+    return {{"scene", c["scene"]},
+            {"rates", c["rates"]},
+            {"threads", 1},
+            {"instruction_set", "twin"},
+            {"wisps", setup.groom.wisp_count()},
+            {"frames", frames},
+            {"step_ms", 1e3 * (twin.step_seconds() - start) / frames}};
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3)
+        return std::fprintf(stderr, "usage: bench_twin bench-one CASE\n"), 2;
+    try {
+        std::printf("%s\n", measure(Json::parse(argv[2])).dump().c_str());
+        return 0;
+    } catch (const std::exception& error) {
+        std::printf("%s\n", Json(error.what()).dump().c_str());
+        return dynamic_cast<const InputError*>(&error) ? 2 : 1;
+    }
+}
