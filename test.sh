@@ -26,6 +26,10 @@ if [ "${1:-}" != --quick ]; then
     run_preset asan-ubsan
     run_preset tsan
     run_preset wasm
+    # shellcheck disable=SC2086
+    if (mane_install $mane_packages_neon); then run_preset neon
+    elif [ "${CI:-}" = true ]; then failed_presets+=(neon)
+    else echo "skipped: neon: $mane_packages_neon cannot be installed here" | tee -a "$log"; fi
     echo "== format"
     if ! git ls-files '*.cpp' '*.h' | xargs clang-format-14 --dry-run --Werror; then failed_presets+=(format); fi
 fi

@@ -25,25 +25,32 @@ if(MANE_SANITIZE)
     add_link_options(-fsanitize=${MANE_SANITIZE})
 endif()
 
-if(EMSCRIPTEN)
-    # Emscripten sees none of the system's packages: Highway is header-only here, chosen at compile time.
+if(NOT EMSCRIPTEN)
+    find_package(Threads REQUIRED)
+endif()
+add_library(mane_highway INTERFACE)
+if(CMAKE_CROSSCOMPILING)
+    # The system's packages are for another machine: Highway is header-only here, its instruction set chosen at compile time.
     set(MANE_HIGHWAY_INCLUDE ${CMAKE_BINARY_DIR}/include)
     file(MAKE_DIRECTORY ${MANE_HIGHWAY_INCLUDE})
     find_path(MANE_HIGHWAY_SYSTEM hwy/highway.h PATHS /usr/include NO_CMAKE_FIND_ROOT_PATH REQUIRED)
     file(CREATE_LINK ${MANE_HIGHWAY_SYSTEM}/hwy ${MANE_HIGHWAY_INCLUDE}/hwy COPY_ON_ERROR SYMBOLIC)
-    add_library(mane_highway INTERFACE)
     target_include_directories(mane_highway SYSTEM INTERFACE ${MANE_HIGHWAY_INCLUDE})
-    add_compile_options(-msimd128 -fexceptions)
-    add_link_options(-fexceptions)
+    target_compile_definitions(mane_highway INTERFACE TOOLCHAIN_MISS_SYS_AUXV_H) # what Highway calls having no choice at run time on Arm
+    target_link_libraries(mane_highway INTERFACE $<TARGET_NAME_IF_EXISTS:Threads::Threads>)
 else()
     find_package(HWY REQUIRED)
-    find_package(Threads REQUIRED)
-    add_library(mane_highway INTERFACE)
     target_link_libraries(mane_highway INTERFACE hwy Threads::Threads)
 endif()
+if(EMSCRIPTEN)
+    add_compile_options(-msimd128 -fexceptions)
+    add_link_options(-fexceptions)
+endif()
 
-# SSSE3 would only add to the build: every machine that has it and not SSE4 is from before 2008.
-target_compile_definitions(mane_highway INTERFACE HWY_DISABLED_TARGETS=HWY_SSSE3)
+# SSSE3 would only add to the build: every machine that has it and not SSE4 is from before 2008. SVE's vectors have no size
+# when a program is built, so no structure can hold them, and Pack is one; every machine that has it has NEON.
+target_compile_definitions(mane_highway INTERFACE
+    "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
 
 # What vectors are worth is measured against the same code without any: neither ours nor the compiler's.
 option(MANE_SCALAR "no SIMD at all, for `mane bench --plain-core`" OFF)

@@ -3,6 +3,7 @@
 
 mane_packages_build="cmake ninja-build g++ pkg-config libhwy-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libzstd-dev libxxhash-dev libembree-dev libpng-dev ccache"
 mane_packages_test="doctest-dev clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 emscripten nodejs"
+mane_packages_neon="g++-aarch64-linux-gnu qemu-user" # not all machines can have a cross compiler
 
 mane_install() {
     local missing=()
