@@ -82,9 +82,11 @@ std::optional<AxisContact> axis_contact(const ContactPoints& points, std::uint32
         return radius_toward(points, rank, way) * (1 - s) + radius_toward(points, end, way) * s;
     };
     const float touching = reach(first, first_end, c.s, gap) + reach(second, second_end, c.t, -gap);
-    if (length(gap) > touching)
+    const float distance = length(gap);
+    if (distance > touching)
         return {};
-    return AxisContact{c.s, c.t, length(gap) / touching,
+    // Axes that meet in a point leave no way toward each other.
+    return AxisContact{c.s, c.t, touching > 0 ? distance / touching : 0.f,
                        density_at(points, second, second_end, c.t)};
 }
 

@@ -50,7 +50,7 @@ struct WispAnswers {
         float across = 0, extra = 0, envelope = 0;
     };
     std::vector<InverseMass> inverse_mass;
-    Bins at_section;                  ///< per rank: of the contacts at its points
+    ParallelBins at_section;          ///< per rank: of the contacts at its points
     std::vector<std::uint32_t> entry; ///< their slots and codes: slot · 16 + code
     Bins axes_at;                     ///< per rank: of the axis points next to it
     struct AxisShare {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 
 namespace mane {
 namespace {
@@ -77,20 +78,18 @@ WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablati
       point_test_(point_test_for(instruction_set)) {}
 
 void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads) {
-    if (first_.empty())
+    if (index_.empty())
         list_segments(hair, points);
     place_boxes(points, threads);
     any_slender_ = std::any_of(segments_.begin(), segments_.end(),
                                [&](std::uint32_t rank) { return slender(points, rank); });
     if (any_slender_)
         place_axes(points, threads);
-    std::swap(contacts_, earlier_);
-    std::swap(first_, earlier_first_);
-    earlier_axes_ = axes_;
+    std::swap(list_, earlier_);
+    list_.first.assign(points.order.size() + 1, 0);
     chunks_.resize(chunks_of(segments_.size(), kSegmentsPerChunk));
     threads.run(chunks_.size(), [&](std::size_t c) { find_chunk(hair, points, c); });
     collect(points, threads);
-    count_pairs(points.order.size());
 }
 
 void WispDetection::list_segments(const HairView& hair, const ContactPoints& points) {
@@ -98,8 +97,11 @@ void WispDetection::list_segments(const HairView& hair, const ContactPoints& poi
         if (points.order.next(r) != ContactOrder::kNone &&
             hair.layout.simulated(points.order.section(r) + 1))
             segments_.push_back(r);
-    first_.assign(segments_.size() + 1, 0);
-    earlier_first_ = first_;
+    index_.resize(points.order.size());
+    for (std::uint32_t i = 0; i < segments_.size(); ++i)
+        index_[segments_[i]] = i;
+    first_met_.resize(segments_.size());
+    list_.first.assign(points.order.size() + 1, 0);
 }
 
 void WispDetection::place_boxes(const ContactPoints& points, Threads& threads) {
@@ -128,13 +130,15 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
     Found& found = chunks_[chunk];
     found.contacts.clear();
     found.axes.clear();
-    found.pairs.clear();
+    found.met.clear();
+    found.friction = 0;
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
     for (std::size_t i = first; i < last; ++i) {
         if (i % kSegmentsPerGroup == 0)
             gather_near(points, i, std::min(last, i + kSegmentsPerGroup), found);
-        first_[i + 1] = static_cast<std::uint32_t>(find_points(hair, points, i, found));
+        list_.first[segments_[i] + 1] =
+            static_cast<std::uint32_t>(find_points(hair, points, i, found));
         if (any_slender_ && slender(points, segments_[i]))
             find_axes(hair, points, segments_[i], found);
     }
@@ -157,7 +161,7 @@ void WispDetection::gather_near(const ContactPoints& points, std::size_t first, 
 
 /// The points in the volume of a segment (M21). Returns how many they are.
 std::size_t WispDetection::find_points(const HairView& hair, const ContactPoints& points,
-                                       std::size_t index, Found& found) const {
+                                       std::size_t index, Found& found) {
     const std::uint32_t rank = segments_[index], segment = points.order.section(rank);
     const std::size_t bunches =
         point_test_.among(found.near, segment_box(points, rank), found.bunches.data());
@@ -166,9 +170,8 @@ std::size_t WispDetection::find_points(const HairView& hair, const ContactPoints
     point_test_.classify(points, rank, limits_, found.inside, 0);
 
     const std::size_t before = found.contacts.size();
-    Earlier earlier(points,
-                    std::span(earlier_).subspan(earlier_first_[index],
-                                                earlier_first_[index + 1] - earlier_first_[index]));
+    first_met_[index] = static_cast<std::uint32_t>(found.met.size());
+    Earlier earlier(points, earlier_.of_segment(rank));
     for (std::size_t p = 0; p < found.inside.count; ++p) {
         const std::uint32_t point = found.inside.point[p], at = point / 16, code = point % 16,
                             section = points.order.section(at);
@@ -186,7 +189,8 @@ std::size_t WispDetection::find_points(const HairView& hair, const ContactPoints
              .s = found.inside.s[p],
              .density = found.inside.density[p],
              .weight = weight_at(found.inside.depth[p])});
-        count_pair(belongs, section, segment, found);
+        found.friction += parallel;
+        meet(belongs, section, first_met_[index], found);
     }
     return found.contacts.size() - before;
 }
@@ -207,12 +211,18 @@ WispDetection::Belongs WispDetection::belongs_to(const HairView& hair, std::uint
             begins && (segment + 1 < section || segment > section + 1)};
 }
 
-void WispDetection::count_pair(const Belongs& belongs, std::uint32_t section, std::uint32_t segment,
-                               Found& found) const {
+/// Notes the segments that a section belongs to, once each: they are few.
+void WispDetection::meet(const Belongs& belongs, std::uint32_t section, std::size_t first,
+                         Found& found) const {
+    const auto note = [&](std::uint32_t other) {
+        const auto begin = found.met.begin() + static_cast<std::ptrdiff_t>(first);
+        if (std::find(begin, found.met.end(), other) == found.met.end())
+            found.met.push_back(other);
+    };
     if (belongs.before)
-        found.pairs.push_back(Pair::of(section - 1, segment));
+        note(section - 1);
     if (belongs.after)
-        found.pairs.push_back(Pair::of(section, segment));
+        note(section);
 }
 
 /// Ours, beyond the paper's footnote: the axes that cross that of a slender segment.
@@ -255,10 +265,9 @@ WispContactKind WispDetection::axis_kind(const ContactPoints& points,
                                          const WispContact& contact) const {
     if (desc_.mode == WispContactMode::isotropic)
         return WispContactKind::collision;
-    const auto earlier =
-        std::lower_bound(earlier_.begin() + static_cast<std::ptrdiff_t>(earlier_axes_),
-                         earlier_.end(), contact, before);
-    const bool was = earlier != earlier_.end() && same_place(*earlier, contact) &&
+    const std::span<const WispContact> axes = earlier_.axes();
+    const auto earlier = std::lower_bound(axes.begin(), axes.end(), contact, before);
+    const bool was = earlier != axes.end() && same_place(*earlier, contact) &&
                      earlier->kind == WispContactKind::friction;
     const std::uint32_t first = points.order.rank(contact.section),
                         second = points.order.rank(contact.segment);
@@ -283,48 +292,60 @@ WispContactKind WispDetection::axis_kind(const ContactPoints& points,
 
 /// Puts together what the chunks found.
 void WispDetection::collect(const ContactPoints& points, Threads& threads) {
-    std::vector<std::size_t> begin;
-    std::size_t count = 0, axes = 0;
-    for (const Found& found : chunks_) {
-        begin.push_back(count);
-        count += found.contacts.size();
+    std::partial_sum(list_.first.begin(), list_.first.end(), list_.first.begin());
+    std::size_t axes = 0;
+    for (const Found& found : chunks_)
         axes += found.axes.size();
-    }
-    for (std::size_t i = 0; i < segments_.size(); ++i)
-        first_[i + 1] += first_[i];
-    contacts_.resize(count + axes);
+    list_.contacts.resize(list_.of_points() + axes);
     threads.run(chunks_.size(), [&](std::size_t c) {
+        const std::uint32_t first = list_.first[segments_[c * kSegmentsPerChunk]];
         std::copy(chunks_[c].contacts.begin(), chunks_[c].contacts.end(),
-                  contacts_.begin() + static_cast<std::ptrdiff_t>(begin[c]));
+                  list_.contacts.begin() + first);
+        count_pairs(points.order, c);
     });
-    axes_ = count;
-    auto next = contacts_.begin() + static_cast<std::ptrdiff_t>(count);
+    const auto first_axis = list_.contacts.begin() + static_cast<std::ptrdiff_t>(list_.of_points());
+    auto next = first_axis;
     for (const Found& found : chunks_)
         next = std::copy(found.axes.begin(), found.axes.end(), next);
-    const auto first_axis = contacts_.begin() + static_cast<std::ptrdiff_t>(axes_);
-    std::sort(first_axis, contacts_.end(), before);
-    std::for_each(first_axis, contacts_.end(),
-                  [&](WispContact& c) { c.kind = axis_kind(points, c); });
+    std::sort(first_axis, list_.contacts.end(), before);
+    friction_contacts_ = intersecting_pairs_ = 0;
+    for (auto c = first_axis; c != list_.contacts.end(); ++c) {
+        c->kind = axis_kind(points, *c);
+        friction_contacts_ += c->kind == WispContactKind::friction;
+    }
+    for (const Found& found : chunks_) {
+        friction_contacts_ += found.friction;
+        intersecting_pairs_ += found.pairs;
+    }
 }
 
-/// Each pair once: those with the same lower segment side by side, then marked as they are met.
-void WispDetection::count_pairs(std::size_t sections) {
-    lower_.start(sections);
-    for (const Found& found : chunks_)
-        for (const Pair& p : found.pairs)
-            lower_.count(p.lower);
-    higher_.resize(lower_.add_up());
-    for (const Found& found : chunks_)
-        for (const Pair& p : found.pairs)
-            higher_[lower_.next(p.lower)] = p.higher;
-    lower_.finish();
-    met_.assign(sections, ~0u);
-    intersecting_pairs_ = 0;
-    for (std::uint32_t lower = 0; lower < sections; ++lower)
-        for (std::uint32_t i = lower_.first(lower); i < lower_.last(lower); ++i) {
-            intersecting_pairs_ += met_[higher_[i]] != lower;
-            met_[higher_[i]] = lower;
+/// The segments of which a point was found in that of a rank.
+std::span<const std::uint32_t> WispDetection::met_by(std::uint32_t rank) const {
+    const std::uint32_t i = index_[rank];
+    const std::vector<std::uint32_t>& met = chunks_[i / kSegmentsPerChunk].met;
+    const bool last = i + 1 == segments_.size() || (i + 1) % kSegmentsPerChunk == 0;
+    const std::size_t end = last ? met.size() : first_met_[i + 1];
+    return std::span(met).subspan(first_met_[i], end - first_met_[i]);
+}
+
+/// Each pair once: from the segment that has a point of the other inside; where both have, from the
+/// earlier one.
+void WispDetection::count_pairs(const ContactOrder& order, std::size_t chunk) {
+    Found& found = chunks_[chunk];
+    found.pairs = 0;
+    const std::size_t first = chunk * kSegmentsPerChunk,
+                      last = std::min(segments_.size(), first + kSegmentsPerChunk);
+    for (std::size_t i = first; i < last; ++i) {
+        const std::uint32_t segment = order.section(segments_[i]);
+        for (const std::uint32_t other : met_by(segments_[i])) {
+            if (other < segment) {
+                const std::span<const std::uint32_t> back = met_by(order.rank(other));
+                if (std::find(back.begin(), back.end(), segment) != back.end())
+                    continue;
+            }
+            ++found.pairs;
         }
+    }
 }
 
 } // namespace mane

@@ -2,8 +2,9 @@
 
 #include "base/bins.h"
 #include "base/parallel_for.h"
+#include "interactions/contact_list.h"
 #include "interactions/point_test.h"
-#include "interactions/wisp_contact.h"
+
 #include "mane/desc.h"
 #include "model/ablation.h"
 
@@ -25,29 +26,25 @@ class WispDetection {
     /// last call keeps its kind within the hysteresis.
     void detect(const HairView& hair, const ContactPoints& points, Threads& threads);
 
-    /// Contacts of points, segment by segment in the order of ranks, then contacts of axes: nothing
-    /// depends on how they were found.
-    std::span<const WispContact> contacts() const { return contacts_; }
+    /// Contacts of points in the order of places, bunch by bunch, those of axes in the order of
+    /// sections: nothing depends on how they were found.
+    const ContactList& list() const { return list_; }
+    std::span<const WispContact> contacts() const { return list_.contacts; }
+    /// Of the contacts, those of quasi-parallel wisps.
+    std::uint64_t friction_contacts() const { return friction_contacts_; }
     /// Pairs of segments of which one has a point inside the other, at the last call: the paper's
     /// intersections, each once.
     std::uint64_t intersecting_pairs() const { return intersecting_pairs_; }
 
   private:
-    /// Two segments of which one has a point inside the other.
-    struct Pair {
-        std::uint32_t lower = 0, higher = 0;
-
-        static Pair of(std::uint32_t a, std::uint32_t b) {
-            return {std::min(a, b), std::max(a, b)};
-        }
-    };
     /// What a chunk of segments found.
     struct Found {
         std::vector<WispContact> contacts; ///< of points
         std::vector<WispContact> axes;
-        std::vector<Pair> pairs; ///< the same perhaps several times
-        NearBoxes near;          ///< bunches of points near a group of segments
-        NearBoxes near_axes;     ///< bunches of segments near it
+        std::vector<std::uint32_t> met; ///< by segments of now: those that have a point inside
+        std::uint64_t friction = 0, pairs = 0;
+        NearBoxes near;      ///< bunches of points near a group of segments
+        NearBoxes near_axes; ///< bunches of segments near it
         std::vector<std::uint32_t> bunches;
         PointsInside inside;
     };
@@ -62,10 +59,9 @@ class WispDetection {
     void gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
                      Found& found) const;
     std::size_t find_points(const HairView& hair, const ContactPoints& points, std::size_t index,
-                            Found& found) const;
+                            Found& found);
     Belongs belongs_to(const HairView& hair, std::uint32_t section, std::uint32_t segment) const;
-    void count_pair(const Belongs& belongs, std::uint32_t section, std::uint32_t segment,
-                    Found& found) const;
+    void meet(const Belongs& belongs, std::uint32_t section, std::size_t first, Found& found) const;
     bool slender(const ContactPoints& points, std::uint32_t rank) const {
         return points.slenderness[rank] > desc_.axis_contact_ratio;
     }
@@ -75,7 +71,8 @@ class WispDetection {
                    std::uint32_t other, Found& found) const;
     WispContactKind axis_kind(const ContactPoints& points, const WispContact& contact) const;
     void collect(const ContactPoints& points, Threads& threads);
-    void count_pairs(std::size_t sections);
+    void count_pairs(const ContactOrder& order, std::size_t chunk);
+    std::span<const std::uint32_t> met_by(std::uint32_t rank) const;
 
     WispContactDesc desc_;
     Ablation ablation_;
@@ -90,11 +87,10 @@ class WispDetection {
     bool any_slender_ = false;
 
     std::vector<Found> chunks_;
-    std::vector<WispContact> contacts_, earlier_;
-    std::size_t axes_ = 0, earlier_axes_ = 0;          ///< where contacts of axes begin
-    std::vector<std::uint32_t> first_, earlier_first_; ///< per segment and one more
-    Bins lower_; ///< scratch, for counting pairs: by their lower segments
-    std::vector<std::uint32_t> higher_, met_;
+    ContactList list_, earlier_;
+    std::vector<std::uint32_t> index_;     ///< per rank: of its segment
+    std::vector<std::uint32_t> first_met_; ///< per segment: in its chunk's `met`
+    std::uint64_t friction_contacts_ = 0;
     std::uint64_t intersecting_pairs_ = 0;
 };
 

@@ -3,7 +3,6 @@
 #include "base/functions.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace mane {
 namespace {
@@ -34,157 +33,172 @@ void WispResponse::take_masses(const HairView& hair, const ContactOrder& order) 
     }
 }
 
-void WispResponse::engage(const HairView& hair, ContactGeometry& geometry,
-                          std::span<const WispContact> contacts) {
+void WispResponse::engage(const HairView& hair, ContactGeometry& geometry, const ContactList& list,
+                          Threads& threads) {
+    WispAnswers& a = answers_;
     const ContactPoints& points = geometry.points();
     const std::size_t ranks = points.order.size();
-    if (answers_.inverse_mass.empty())
+    if (a.inverse_mass.empty()) {
         take_masses(hair, points.order);
-    fill_slots(hair, geometry, contacts);
-    share_masses(points);
-    sort_by_section(points.order);
-    answers_.near.assign(ranks, Four{});
-    answers_.far.assign(ranks, Four{});
-    answers_.change.resize(points.padded_ranks(), points.per_section - 1); // of others, none
-    answers_.impulse.resize(answers_.place.size());
-    for (AlignedVector<Four>& column : answers_.matrix)
-        column.assign(answers_.place.size(), Four{}); // those of weight 0 stay
+        a.shared_envelope.resize(points.places());
+        a.change.resize(points.padded_ranks(), points.per_section - 1);
+    }
+    list_ = &list;
+    lay_out_slots(points.order);
+    geometry.add_points(list.axes().size());
+    take_axis_points(points);
+    threads.run_ranges(ranks, kRanksPerChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r)
+            fill_segment(points, static_cast<std::uint32_t>(r));
+    });
+    sort_by_section(points.order, threads);
+    sort_axes(points.order);
+    threads.run_ranges(ranks, kRanksPerChunk, [&](std::size_t first, std::size_t last) {
+        for (std::size_t r = first; r < last; ++r)
+            share_mass(points, static_cast<std::uint32_t>(r));
+    });
 }
 
-/// Segment by segment, contacts of points before those of axes, each in the order given.
-void WispResponse::fill_slots(const HairView& hair, ContactGeometry& geometry,
-                              std::span<const WispContact> contacts) {
+/// Makes room: segment by segment, contacts of points before those of axes.
+void WispResponse::lay_out_slots(const ContactOrder& order) {
     WispAnswers& a = answers_;
-    const ContactPoints& points_now = geometry.points();
-    const ContactOrder& order = points_now.order;
-    contacts_.clear();
-    for (const WispContact& c : contacts) {
-        const std::uint32_t second = c.point.is_axis() ? c.section + 1 : c.section;
-        if (hair.layout.simulated(second) || hair.layout.simulated(c.segment + 1))
-            contacts_.push_back(c); // of others the head holds all
-    }
-    points_of_.start(order.size());
-    axes_of_.start(order.size());
-    for (const WispContact& c : contacts_)
-        (c.point.is_axis() ? axes_of_ : points_of_).count(order.rank(c.segment));
-    const std::uint32_t points = points_of_.add_up();
-    by_segment_.resize(points + axes_of_.add_up());
-    for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
-        const std::uint32_t rank = order.rank(contacts_[i].segment);
-        by_segment_[contacts_[i].point.is_axis() ? points + axes_of_.next(rank)
-                                                 : points_of_.next(rank)] = i;
-    }
-    points_of_.finish();
+    const std::uint32_t ranks = order.size();
+    axes_of_.start(ranks);
+    for (const WispContact& c : list_->axes())
+        axes_of_.count(order.rank(c.segment));
+    by_segment_.resize(axes_of_.add_up());
+    for (std::uint32_t i = 0; i < list_->axes().size(); ++i)
+        by_segment_[axes_of_.next(order.rank(list_->axes()[i].segment))] = i;
     axes_of_.finish();
 
-    a.first.resize(order.size() + 1);
-    a.first_axis.resize(order.size());
+    a.first.resize(ranks + 1);
+    a.first_axis.resize(ranks);
     std::uint32_t slots = 0;
-    for (std::uint32_t r = 0; r < order.size(); ++r) {
+    for (std::uint32_t r = 0; r < ranks; ++r) {
         a.first[r] = slots;
-        a.first_axis[r] = slots += whole_quads(points_of_.last(r) - points_of_.first(r));
+        a.first_axis[r] = slots += whole_quads(list_->first[r + 1] - list_->first[r]);
         slots += whole_quads(axes_of_.last(r) - axes_of_.first(r));
     }
-    a.first.back() = slots;
-    a.place.assign(slots, 0);
-    a.rank.assign(slots, 0);
+    a.first[ranks] = slots;
+    a.place.resize(slots);
+    a.rank.resize(slots);
     for (AlignedVector<float>* numbers : {&a.s, &a.weight, &a.density})
-        numbers->assign(slots, 0.f);
-    a.axis_points.clear();
-    slot_of_.resize(contacts_.size());
-    for (std::uint32_t r = 0; r < order.size(); ++r) {
-        for (std::uint32_t i = points_of_.first(r), slot = a.first[r]; i < points_of_.last(r); ++i)
-            take_slot(points_now, slot++, by_segment_[i]);
-        for (std::uint32_t i = axes_of_.first(r), slot = a.first_axis[r]; i < axes_of_.last(r); ++i)
-            take_slot(points_now, slot++, by_segment_[points + i]);
+        numbers->resize(slots);
+    a.impulse.resize(slots);
+    for (AlignedVector<Four>& column : a.matrix)
+        column.resize(slots);
+    a.shared_across.resize(ranks);
+    a.shared_extra.resize(ranks);
+    a.takes_part.resize(ranks);
+    a.near.resize(ranks);
+    a.far.resize(ranks);
+    on_segment_.resize(ranks);
+}
+
+void WispResponse::fill_segment(const ContactPoints& points, std::uint32_t rank) {
+    WispAnswers& a = answers_;
+    std::uint32_t slot = a.first[rank];
+    const auto fill_up = [&](std::uint32_t end) { // with slots that answer nothing
+        for (; slot < end; ++slot) {
+            a.place[slot] = a.rank[slot] = 0;
+            a.s[slot] = a.weight[slot] = a.density[slot] = 0;
+            for (AlignedVector<Four>& column : a.matrix)
+                column[slot] = Four{};
+        }
+    };
+    float sum = 0;
+    for (const WispContact& c : list_->of_segment(rank)) {
+        a.place[slot] = points.place(points.order.rank(c.section), c.point.code);
+        take_slot(points, slot++, c);
+        sum += c.weight;
     }
-    geometry.add_points(a.axis_points.size());
+    fill_up(a.first_axis[rank]);
+    for (std::uint32_t i = axes_of_.first(rank); i < axes_of_.last(rank); ++i) {
+        const WispContact& c = list_->axes()[by_segment_[i]];
+        a.place[slot] = points.places() + by_segment_[i];
+        a.axis_points[by_segment_[i]].slot = slot;
+        take_slot(points, slot++, c);
+        sum += c.weight;
+    }
+    fill_up(a.first[rank + 1]);
+    on_segment_[rank] = sum;
+    a.near[rank] = a.far[rank] = Four{};
 }
 
 void WispResponse::take_slot(const ContactPoints& points, std::uint32_t slot,
-                             std::uint32_t contact) {
+                             const WispContact& contact) {
     WispAnswers& a = answers_;
-    const WispContact& c = contacts_[contact];
-    slot_of_[contact] = slot;
-    const std::uint32_t rank = a.rank[slot] = points.order.rank(c.section);
-    if (c.point.is_axis()) {
-        a.place[slot] = points.places() + static_cast<std::uint32_t>(a.axis_points.size());
-        a.axis_points.push_back({rank, slot, c.along});
-    } else {
-        a.place[slot] = points.place(rank, c.point.code);
-    }
-    a.s[slot] = c.s;
-    a.weight[slot] = c.weight;
-    a.density[slot] = c.kind == WispContactKind::friction ? c.density : 0.f;
+    a.rank[slot] = points.order.rank(contact.section);
+    a.s[slot] = contact.s;
+    a.weight[slot] = contact.weight;
+    a.density[slot] = contact.kind == WispContactKind::friction ? contact.density : 0.f;
 }
 
-/// Sums the weights of the contacts that share a mass: each skeleton point's, an envelope point's
-/// contacts included, and each envelope point's own; and the inverse masses that they leave for a
-/// contact (M27a): its part of a mass is its weight over their sum, where that is over 1.
-void WispResponse::share_masses(const ContactPoints& points) {
-    WispAnswers& a = answers_;
-    const std::uint32_t ranks = points.order.size();
-    together_.assign(points.places(), 0.f);
-    a.takes_part.assign(ranks, 0);
-    const auto use = [&](std::uint32_t rank, float weight) {
-        together_[points.place(rank)] += weight;
-        a.takes_part[rank] = 1;
-    };
-    for (const WispContact& c : contacts_) {
-        const std::uint32_t rank = points.order.rank(c.section),
-                            segment = points.order.rank(c.segment);
-        use(rank, c.weight);
-        if (c.point.is_axis())
-            use(points.order.next(rank), c.weight);
-        if (c.point.is_envelope())
-            together_[points.place(rank, c.point.code)] += c.weight;
-        use(segment, c.weight);
-        use(points.order.next(segment), c.weight);
-    }
-    a.shared_across.resize(ranks);
-    a.shared_extra.resize(ranks);
-    a.shared_envelope.resize(points.places());
-    for (std::uint32_t r = 0; r < ranks; ++r) {
-        const WispAnswers::InverseMass& mass = a.inverse_mass[r];
-        const float times = std::max(together_[points.place(r)], 1.f);
-        a.shared_across[r] = mass.across * times;
-        a.shared_extra[r] = mass.extra * times;
-        for (std::uint32_t code = 1; code < points.per_section; ++code) {
-            const std::uint32_t place = points.place(r, code); // M27: across it, its section's
-            a.shared_envelope[place] =
-                mass.envelope * std::max(together_[place], 1.f) - a.shared_across[r];
-        }
-    }
+void WispResponse::take_axis_points(const ContactPoints& points) {
+    answers_.axis_points.clear();
+    for (const WispContact& c : list_->axes())
+        answers_.axis_points.push_back({points.order.rank(c.section), 0, c.along});
 }
 
 /// Section by section, the slots of the contacts at its points.
-void WispResponse::sort_by_section(const ContactOrder& order) {
+void WispResponse::sort_by_section(const ContactOrder& order, Threads& threads) {
     WispAnswers& a = answers_;
-    a.at_section.start(order.size());
+    const std::vector<WispContact>& contacts = list_->contacts;
+    a.entry.resize(list_->of_points());
+    a.at_section.sort(
+        threads, order.size(), list_->of_points(),
+        [&](std::size_t i) { return order.rank(contacts[i].section); },
+        [&](std::size_t i, std::uint32_t at) {
+            const std::uint32_t segment = order.rank(contacts[i].segment),
+                                slot = a.first[segment] + static_cast<std::uint32_t>(i) -
+                                       list_->first[segment];
+            a.entry[at] = slot * 16 + contacts[i].point.code;
+        });
+}
+
+/// The same for the points of axes, which hang on two sections.
+void WispResponse::sort_axes(const ContactOrder& order) {
+    WispAnswers& a = answers_;
     a.axes_at.start(order.size());
-    for (const WispContact& c : contacts_) {
-        const std::uint32_t rank = order.rank(c.section);
-        if (!c.point.is_axis()) {
-            a.at_section.count(rank);
-            continue;
-        }
-        a.axes_at.count(rank);
-        a.axes_at.count(order.next(rank));
+    for (const AxisPoint& point : a.axis_points) {
+        a.axes_at.count(point.rank);
+        a.axes_at.count(order.next(point.rank));
     }
-    a.entry.resize(a.at_section.add_up());
     a.axis_share.resize(a.axes_at.add_up());
-    for (std::uint32_t i = 0; i < contacts_.size(); ++i) {
-        const WispContact& c = contacts_[i];
-        const std::uint32_t rank = order.rank(c.section), slot = slot_of_[i];
-        if (!c.point.is_axis()) {
-            a.entry[a.at_section.next(rank)] = slot * 16 + c.point.code;
-            continue;
-        }
-        a.axis_share[a.axes_at.next(rank)] = {slot, 1 - c.along};
-        a.axis_share[a.axes_at.next(order.next(rank))] = {slot, c.along};
+    for (const AxisPoint& point : a.axis_points) {
+        a.axis_share[a.axes_at.next(point.rank)] = {point.slot, 1 - point.along};
+        a.axis_share[a.axes_at.next(order.next(point.rank))] = {point.slot, point.along};
     }
-    a.at_section.finish();
     a.axes_at.finish();
+}
+
+/// Sums the weights of the contacts that share a section's masses: its skeleton point's, an
+/// envelope point's contacts included, and each envelope point's own; and finds the inverse masses
+/// that they leave for a contact (M27a): its part of a mass is its weight over their sum, where
+/// that is over 1.
+void WispResponse::share_mass(const ContactPoints& points, std::uint32_t rank) {
+    WispAnswers& a = answers_;
+    const std::uint32_t before = points.order.before(rank);
+    float together[kMaxEnvelopePoints + 1] = {};
+    float sum = on_segment_[rank] + (before != ContactOrder::kNone ? on_segment_[before] : 0.f);
+    for (std::uint32_t i = a.at_section.first(rank); i < a.at_section.last(rank); ++i) {
+        const float weight = a.weight[a.entry[i] / 16];
+        sum += weight;
+        together[a.entry[i] % 16] += weight;
+    }
+    for (std::uint32_t i = a.axes_at.first(rank); i < a.axes_at.last(rank); ++i)
+        sum += a.weight[a.axis_share[i].slot];
+    a.takes_part[rank] = sum > 0;
+
+    const WispAnswers::InverseMass& mass = a.inverse_mass[rank];
+    a.shared_across[rank] = mass.across * std::max(sum, 1.f);
+    a.shared_extra[rank] = mass.extra * std::max(sum, 1.f);
+    for (std::uint32_t code = 1; code < points.per_section; ++code) // M27: across it, its section's
+        a.shared_envelope[points.place(rank, code)] =
+            mass.envelope * std::max(together[code], 1.f) - a.shared_across[rank];
+    a.change.skeleton[rank] = Four{};
+    for (std::uint32_t f = 0; f < a.change.fours; ++f)
+        a.change.rate[std::size_t{rank} * a.change.fours + f] = Four{};
 }
 
 void WispResponse::prepare(const ContactGeometry& geometry, float step, Threads& threads) {
@@ -221,13 +235,29 @@ void WispResponse::take_axis_velocities(ContactGeometry& geometry) const {
                          velocity[points.place(points.order.next(point.rank))] * four(point.along);
 }
 
-void WispResponse::list(std::vector<Contact>& contacts) const {
-    std::vector<std::uint32_t> order(contacts_.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return before(contacts_[a], contacts_[b]); });
-    for (const std::uint32_t i : order) {
-        const WispContact& c = contacts_[i];
+void WispResponse::list(const HairView& hair, const ContactOrder& order,
+                        std::vector<Contact>& contacts) const {
+    if (!list_)
+        return;
+    const auto can_move = [&](const WispContact& c) { // of others the head holds all
+        const std::uint32_t second = c.point.is_axis() ? c.section + 1 : c.section;
+        return hair.layout.simulated(second) || hair.layout.simulated(c.segment + 1);
+    };
+    const auto slot_of = [&](std::uint32_t i) {
+        if (i >= list_->of_points())
+            return answers_.axis_points[i - list_->of_points()].slot;
+        const std::uint32_t segment = order.rank(list_->contacts[i].segment);
+        return answers_.first[segment] + i - list_->first[segment];
+    };
+    std::vector<std::uint32_t> sorted;
+    for (std::uint32_t i = 0; i < list_->contacts.size(); ++i)
+        if (can_move(list_->contacts[i]))
+            sorted.push_back(i);
+    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return before(list_->contacts[a], list_->contacts[b]);
+    });
+    for (const std::uint32_t i : sorted) {
+        const WispContact& c = list_->contacts[i];
         contacts.push_back({.kind = c.kind == WispContactKind::friction ? ContactKind::friction
                                                                         : ContactKind::collision,
                             .point = c.point.is_axis() ? Contact::kBetween : c.point.code,
@@ -235,7 +265,7 @@ void WispResponse::list(std::vector<Contact>& contacts) const {
                             .along = c.along,
                             .other = c.segment,
                             .other_along = c.s,
-                            .impulse = first_three(answers_.impulse[slot_of_[i]])});
+                            .impulse = first_three(answers_.impulse[slot_of(i)])});
     }
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "interactions/contact_geometry.h"
+#include "interactions/contact_list.h"
 #include "interactions/wisp_answers.h"
-#include "interactions/wisp_contact.h"
 #include "mane/contact.h"
 #include "mane/desc.h"
 
@@ -25,9 +25,10 @@ class WispResponse {
     /// `instruction_set`: "" for the machine's best.
     explicit WispResponse(const WispContactDesc& desc, const std::string& instruction_set = "");
 
-    /// Takes the contacts of a detection. They stay engaged until the next call (M36).
-    void engage(const HairView& hair, ContactGeometry& geometry,
-                std::span<const WispContact> contacts);
+    /// Takes the contacts of a detection, which must outlive the next call: they stay engaged until
+    /// then (M36).
+    void engage(const HairView& hair, ContactGeometry& geometry, const ContactList& list,
+                Threads& threads);
 
     /// Finds how contacts answer in the steps to come, each of `step` [s], by the directions that
     /// `geometry` took.
@@ -38,24 +39,26 @@ class WispResponse {
 
     /// Adds the engaged contacts with their impulses of the last step, in the order of their
     /// points.
-    void list(std::vector<Contact>& contacts) const;
+    void list(const HairView& hair, const ContactOrder& order,
+              std::vector<Contact>& contacts) const;
 
   private:
     void take_masses(const HairView& hair, const ContactOrder& order);
-    void fill_slots(const HairView& hair, ContactGeometry& geometry,
-                    std::span<const WispContact> contacts);
-    void take_slot(const ContactPoints& points, std::uint32_t slot, std::uint32_t contact);
-    void share_masses(const ContactPoints& points);
-    void sort_by_section(const ContactOrder& order);
+    void lay_out_slots(const ContactOrder& order);
+    void fill_segment(const ContactPoints& points, std::uint32_t rank);
+    void take_slot(const ContactPoints& points, std::uint32_t slot, const WispContact& contact);
+    void take_axis_points(const ContactPoints& points);
+    void sort_by_section(const ContactOrder& order, Threads& threads);
+    void sort_axes(const ContactOrder& order);
+    void share_mass(const ContactPoints& points, std::uint32_t rank);
     void take_axis_velocities(ContactGeometry& geometry) const;
 
     WispAnswers answers_;
     WispAnswerKernels kernels_;
-    std::vector<WispContact> contacts_;     ///< those of which something can move
-    std::vector<std::uint32_t> slot_of_;    ///< per contact
-    Bins points_of_, axes_of_;              ///< per rank: the contacts of its segment
-    std::vector<std::uint32_t> by_segment_; ///< contacts of points, then of axes
-    std::vector<float> together_;           ///< per place: the weights that share its mass
+    const ContactList* list_ = nullptr; ///< of the last detection
+    Bins axes_of_;                      ///< per rank: the axis contacts of its segment
+    std::vector<std::uint32_t> by_segment_;
+    std::vector<float> on_segment_; ///< per rank: the weights of its segment's contacts
 };
 
 } // namespace mane

@@ -23,13 +23,13 @@ void find_section_frames(Simulation& s) {
 void detect_wisp_contacts(Simulation& s) {
     const StageTimer timer(s, Stage::wisp_detection);
     s.wisp_detection.detect(s.hair(), s.contact_geometry.points(), s.threads);
-    s.wisp_response.engage(s.hair(), s.contact_geometry, s.wisp_detection.contacts());
+    s.wisp_response.engage(s.hair(), s.contact_geometry, s.wisp_detection.list(), s.threads);
     ++s.statistics.wisp_detections;
     s.statistics.intersections +=
         2 * s.wisp_detection.intersecting_pairs(); // each from both of its segments
-    for (const WispContact& c : s.wisp_detection.contacts())
-        ++(c.kind == WispContactKind::friction ? s.statistics.friction_contacts
-                                               : s.statistics.collision_contacts);
+    const std::uint64_t friction = s.wisp_detection.friction_contacts();
+    s.statistics.friction_contacts += friction;
+    s.statistics.collision_contacts += s.wisp_detection.contacts().size() - friction;
 }
 
 void detect_character_contacts(Simulation& s) {

@@ -212,7 +212,8 @@ std::vector<Contact> World::contacts() const {
     if (data_->frame.index == 0)
         return list; // nothing has been looked for
     if (data_->simulation.desc.wisps.mode != WispContactMode::off)
-        data_->simulation.wisp_response.list(list);
+        data_->simulation.wisp_response.list(
+            data_->simulation.hair(), data_->simulation.contact_geometry.points().order, list);
     data_->simulation.character_contacts.list(data_->simulation.groom, list);
     return list;
 }

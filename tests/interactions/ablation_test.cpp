@@ -42,7 +42,7 @@ float lowest_in_loop(const Ablation& ablation) {
     for (int step = 0; step < 200; ++step) {
         geometry.take(hair.view(), threads);
         detection.detect(hair.view(), geometry.points(), threads);
-        response.engage(hair.view(), geometry, detection.contacts());
+        response.engage(hair.view(), geometry, detection.list(), threads);
         response.prepare(geometry, kStep, threads);
         response.apply(hair.view(), geometry, hair.state, threads);
         for (std::uint32_t i = 2; i < hair.groom.sections(0); ++i) {
@@ -101,6 +101,24 @@ TEST_CASE("M23: a quasi-parallel contact does not flicker when its directions wa
     CHECK(off >= 19); // each time, at least one contact
 }
 
+TEST_CASE("M21: axes that cross in one point are a contact like any other") {
+    // Exactly: all numbers are whole multiples of a power of two.
+    const ToyHair hair({ToyHair::straight({-0.25f, 0, 0}, {0.125f, 0, 0}, 5),
+                        ToyHair::straight({0.0625f, 0, -0.3125f}, {0, 0, 0.125f}, 6)},
+                       4, 0.0078125f);
+    Threads threads(1);
+    ContactGeometry geometry;
+    WispDetection detection({});
+    geometry.take(hair.view(), threads);
+    detection.detect(hair.view(), geometry.points(), threads);
+    std::size_t axes = 0;
+    for (const WispContact& c : detection.contacts()) {
+        CHECK(c.weight == 1);
+        axes += c.point.is_axis();
+    }
+    CHECK(axes == 1);
+}
+
 TEST_CASE("M27a: an answer never adds energy, however many contacts share a point") {
     // One wisp moves across 17 that lie in each other.
     const auto energy_gain = [](bool literal) {
@@ -127,7 +145,7 @@ TEST_CASE("M27a: an answer never adds energy, however many contacts share a poin
             respond_literally(hair.view(), detection.contacts(), desc, 1e-3f, hair.state);
         } else {
             WispResponse response(desc);
-            response.engage(hair.view(), geometry, detection.contacts());
+            response.engage(hair.view(), geometry, detection.list(), threads);
             response.prepare(geometry, 1e-3f, threads);
             response.apply(hair.view(), geometry, hair.state, threads);
         }

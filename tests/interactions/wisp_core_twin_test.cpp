@@ -55,7 +55,8 @@ void respond(CoreHair& core, const std::vector<WispContact>& contacts, const Wis
     WispResponse response(desc);
     Threads threads(1);
     geometry.take(core.view(), threads);
-    response.engage(core.view(), geometry, contacts);
+    const ContactList list = contact_list(geometry.points().order, contacts);
+    response.engage(core.view(), geometry, list, threads);
     response.prepare(geometry, time, threads);
     response.apply(core.view(), geometry, core.state, threads);
 }

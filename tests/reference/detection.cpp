@@ -190,8 +190,8 @@ std::optional<Contact> Search::axes_touch(const Site& a, const Site& b) const {
         return std::nullopt;
 
     const Vec3d gap = (q + on_b * e) - (p + on_a * d);
-    const double touching = reach(a, on_a, gap) + reach(b, on_b, -gap);
-    if (length(gap) > touching)
+    const double touching = reach(a, on_a, gap) + reach(b, on_b, -gap), distance = length(gap);
+    if (distance > touching)
         return std::nullopt;
     Contact contact;
     contact.point = a;
@@ -200,7 +200,7 @@ std::optional<Contact> Search::axes_touch(const Site& a, const Site& b) const {
     contact.segment = b;
     contact.s = on_b;
     contact.density = density(wisp(b), b.section, on_b);
-    contact.weight = weight_at(length(gap) / touching);
+    contact.weight = weight_at(touching > 0 ? distance / touching : 0);
     return contact;
 }
 

@@ -149,7 +149,8 @@ TEST_CASE(
         ContactGeometry geometry;
         WispResponse response(input.wisps);
         geometry.take(core.view(), threads);
-        response.engage(core.view(), geometry, core.take(input.contacts));
+        const ContactList list = contact_list(geometry.points().order, core.take(input.contacts));
+        response.engage(core.view(), geometry, list, threads);
         response.prepare(geometry, static_cast<float>(input.friction_time), threads);
         response.apply(core.view(), geometry, core.state, threads);
         kernels.process_positions(data, kEnd, 0, packets);
