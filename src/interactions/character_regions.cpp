@@ -13,9 +13,11 @@ namespace {
 constexpr double kSpare = 0.02;
 /// Blocks until a region that was not found is looked for again.
 constexpr float kWait = 12;
+/// And one that was.
+constexpr float kPause = 3;
 /// A plane that is nearer than this share of the surface's distance is tried again in a smaller
 /// ball.
-constexpr double kGoodPlane = 0.7;
+constexpr float kGoodPlane = 0.7f;
 constexpr double kRounding = 1e-5; // [m] over that of single precision
 
 float squared_distance(const TriangleTree::Box& box, const Vec3& p) {
@@ -111,7 +113,10 @@ void CharacterRegions::find_stray(const Packet& packet) {
 }
 
 double CharacterRegions::Here::clear(const Vec3d& p) const {
-    return std::min(dot(normal, p) - height, radius - length(p - centre)) - kRounding;
+    const double out = length(p - centre);
+    return std::min(std::max(std::min(dot(normal, p) - height, radius - out), ball - out),
+                    far - out) -
+           kRounding;
 }
 
 CharacterRegions::Here CharacterRegions::here(Slot slot) const {
@@ -127,7 +132,9 @@ CharacterRegions::Here CharacterRegions::here(Slot slot) const {
     found.normal = frame.to_world(vec(ClearRegion::normal)) - frame.origin;
     found.centre = frame.to_world(vec(ClearRegion::centre));
     found.height = number(ClearRegion::height) + dot(found.normal, frame.origin);
-    found.radius = std::min(number(ClearRegion::radius), number(ClearRegion::far));
+    found.radius = number(ClearRegion::radius);
+    found.ball = number(ClearRegion::ball);
+    found.far = number(ClearRegion::far);
     return found;
 }
 
@@ -137,33 +144,28 @@ void CharacterRegions::renew(Slot slot, const Vec3& x, double wanted, std::uint3
     const PosedSurface& surface = surface_->start();
     const Vec3d p(x);
     const double most = wanted + kSpare;
-    double radius = 2 * most;
+    const std::optional<SurfacePlace> near = surface.nearest(p, 2 * most, guess);
+    const double ball = (near ? std::sqrt(near->closest.squared) : 2 * most) - kRounding;
+    if (ball < kRounding || surface.inside(p))
+        return;
     Vec3 normal;
-    float height = -1e30f;
-    const std::optional<SurfacePlace> near = surface.nearest(p, radius, guess);
-    if (near)
-        radius = std::sqrt(near->closest.squared) - kRounding;
-    if (radius < most) {
-        const double distance = radius;
-        if (distance < kRounding)
-            return;
+    float height = 1e30f; // no plane
+    double radius = ball;
+    if (ball < most) {
+        const auto distance = static_cast<float>(ball);
         normal = Vec3(normalized(p - near->closest.point));
         const float own = dot(normal, x);
         for (const double size : {most, wanted}) {
             const auto half = static_cast<float>(size);
             const BoxHeights heights(normal,
                                      {x - Vec3(half, half, half), x + Vec3(half, half, half)});
-            const float roof = surface.roof(heights, own - static_cast<float>(distance), 1e30f);
             radius = size;
-            height = roof + heights.slack + static_cast<float>(kRounding);
-            if (double(own - height) > kGoodPlane * distance)
+            height = surface.roof(heights, own - distance, 1e30f) + heights.slack +
+                     static_cast<float>(kRounding);
+            if (own - height > kGoodPlane * distance)
                 break;
         }
-        if (own - height < static_cast<float>(kRounding))
-            return;
     }
-    if (surface.inside(p))
-        return;
 
     std::uint64_t groups = 0;
     float squared_far = 1e6f;
@@ -195,10 +197,11 @@ void CharacterRegions::renew(Slot slot, const Vec3& x, double wanted, std::uint3
     put(ClearRegion::normal, frame.direction_to_local(n));
     number(slot, ClearRegion::height) = height - static_cast<float>(dot(n, frame.origin));
     number(slot, ClearRegion::radius) = static_cast<float>(radius - kRounding);
+    number(slot, ClearRegion::ball) = static_cast<float>(ball);
     number(slot, ClearRegion::far) = static_cast<float>(far - kRounding);
     number(slot, ClearRegion::stray) = drift.of_groups(best, groups);
     number(slot, ClearRegion::age) = 0;
-    number(slot, ClearRegion::wait) = 0;
+    number(slot, ClearRegion::wait) = kPause;
 }
 
 } // namespace mane

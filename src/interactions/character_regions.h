@@ -17,7 +17,7 @@ class CharacterRegions {
     /// A section's region at the block's start, in the world.
     struct Here {
         Vec3d normal, centre;
-        double height = 0, radius = -1;
+        double height = 0, radius = -1, ball = -1, far = -1;
         /// [m] nothing of the surface is nearer to `p`; negative where nothing is known
         double clear(const Vec3d& p) const;
     };
