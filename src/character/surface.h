@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/bins.h"
 #include "character/closing.h"
 #include "character/drift.h"
 #include "character/posed_surface.h"
@@ -58,12 +59,14 @@ class Surface {
     void take(std::span<const Vec3> vertices);
     void take_frames(std::size_t end, std::span<const RigidFrame> frames);
     void find_creases(std::span<const Vec3> rest);
-    void find_normals();
+    void sort_by_vertex();
+    Vec3d vertex_normal(std::uint32_t v) const;
 
     ClosedMesh mesh_;
     std::vector<std::array<bool, 3>> crease_; // per triangle and corner
     std::vector<Vec3> closed_vertices_;       // the mesh's and the caps' centres
-    std::vector<Vec3d> vertex_normals_;       // at the start
+    Bins at_vertex_;                          // per vertex: places in triangles_at_
+    std::vector<std::uint32_t> triangles_at_; // by vertex, rising
     std::array<PosedSurface, 2> poses_;
     std::array<std::array<RigidFrame, Drift::kFrames>, 2> frames_;
     Drift drift_;

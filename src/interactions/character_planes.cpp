@@ -71,6 +71,8 @@ const std::vector<NearPlane>& PlaneFinder::find(const Surface& surface, const Ap
     planes_.clear();
     surface.start().within(approach.position, approach.reach(block), around_);
     for (const SurfacePlace& place : around_) {
+        if (!locally_nearest(surface, place))
+            continue;
         const double distance = std::sqrt(place.closest.squared);
         const Vec3d outward = surface.start().normal(place.triangle);
         const Vec3d away =
@@ -79,8 +81,7 @@ const std::vector<NearPlane>& PlaneFinder::find(const Surface& surface, const Ap
             continue; // the back of a thin part, or a wall inside the body
         const double closing =
             std::max(0.0, dot(velocity_at(surface, place) - approach.velocity, away));
-        if (distance > approach.threshold + (closing + kAcceleration * block) * block ||
-            !locally_nearest(surface, place))
+        if (distance > approach.threshold + (closing + kAcceleration * block) * block)
             continue;
         const Vec3d normal =
             plane_normal(away, surface.smooth_normal(place), slide, approach.push_out);
