@@ -187,7 +187,8 @@ HWY_INLINE Flags approach_of(const RegionQuestion& q, const Sector& sector, std:
     };
     const Pack3 way = wandered(row, s.x), way_before = wandered(row - 1, before.x);
     const auto need = [&](Pack distance, Pack rate, Pack radius, Pack stray) {
-        return (Pack(q.reach) + distance + stray + (rate * time + region.turn * radius) * longest) /
+        return Pack(q.share) *
+               (Pack(q.reach) + distance + stray + (rate * time + region.turn * radius) * longest) /
                (one - region.turn);
     };
     const Pack stray = Pack::load(numbers + ClearRegion::stray * kLanes);
@@ -239,6 +240,7 @@ HWY_INLINE Flags approach_of(const RegionQuestion& q, const Sector& sector, std:
 void approach(const RegionQuestion& q, std::size_t packet_index, RegionTest::Approach* rows) {
     const Packet& packet = q.layout.packets()[packet_index];
     const Sector sector(q.half_lines);
+    rows[0] = {};
     for (std::size_t i = 1; i < packet.rows; ++i) {
         std::uint32_t section = 0, segment = 0, spent = 0;
         for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {

@@ -45,6 +45,7 @@ struct RegionQuestion {
     Rows& region;
     std::span<const FrameMotion> motion;
     float duration = 0; ///< [s] of the block
+    float share = 1;    ///< [1] of the bound on what may be met: Ablation::clear_reach
     float reach = 0; ///< [m] what is no farther than this may be met, beside what velocities bring
 };
 

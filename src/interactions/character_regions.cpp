@@ -79,26 +79,28 @@ void CharacterRegions::find_motion() {
         boxes_.push_back(tree.bounds(group));
 }
 
-RegionQuestion CharacterRegions::question(const HairView& hair, double reach) {
-    return {hair.layout,
-            hair.state,
-            hair.frames,
-            hair.half_lines,
-            region_,
-            motion_,
-            static_cast<float>(surface_->duration()),
-            static_cast<float>(reach + kRounding)};
+RegionQuestion CharacterRegions::question(const HairView& hair) {
+    return {.layout = hair.layout,
+            .state = hair.state,
+            .frames = hair.frames,
+            .half_lines = hair.half_lines,
+            .region = region_,
+            .motion = motion_,
+            .duration = static_cast<float>(surface_->duration())};
 }
 
 void CharacterRegions::approach(const RegionTest& test, const HairView& hair, std::size_t packet,
-                                double reach, RegionTest::Approach* rows) {
+                                double reach, float share, RegionTest::Approach* rows) {
     find_stray(hair.layout.packets()[packet]);
-    test.approach(question(hair, reach), packet, rows);
+    RegionQuestion asked = question(hair);
+    asked.reach = static_cast<float>(reach + kRounding);
+    asked.share = share;
+    test.approach(asked, packet, rows);
 }
 
 void CharacterRegions::stay(const RegionTest& test, const HairView& hair, std::size_t packet,
                             std::uint16_t* rows) {
-    test.stay(question(hair, 0), packet, rows);
+    test.stay(question(hair), packet, rows);
 }
 
 void CharacterRegions::find_stray(const Packet& packet) {
