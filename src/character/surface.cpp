@@ -60,10 +60,9 @@ void Surface::take_frames(std::size_t end, std::span<const RigidFrame> frames) {
 
 void Surface::reset(std::span<const Vec3> vertices, std::span<const RigidFrame> frames) {
     take(vertices);
-    for (std::size_t end : {0, 1}) {
-        poses_[end].pose(closed_vertices_);
-        take_frames(end, frames);
-    }
+    poses_[1 - start_].pose(closed_vertices_);
+    take_frames(0, frames);
+    take_frames(1, frames);
     drift_.follow(closed_vertices_, frames, was_reset_);
     for (std::size_t f = 0; f < drift_.frames(); ++f)
         jumps_ += drift_.of_any(f) > kSame;

@@ -26,7 +26,7 @@ class Surface {
                  std::span<const RigidFrame> frames = kAtRest);
     static constexpr RigidFrame kAtRest[1] = {};
 
-    const PosedSurface& start() const { return poses_[start_]; }
+    const PosedSurface& start() const { return poses_[was_reset_ ? 1 - start_ : start_]; }
     const PosedSurface& end() const { return poses_[1 - start_]; }
     double duration() const { return duration_; } ///< [s] of the block
     double fastest() const {
@@ -71,7 +71,7 @@ class Surface {
     std::array<std::array<RigidFrame, Drift::kFrames>, 2> frames_;
     Drift drift_;
     std::uint64_t block_ = 0, jumps_ = 0;
-    bool was_reset_ = false;
+    bool was_reset_ = false; // then the end is both
     std::size_t start_ = 0;
     double duration_ = 0, fastest_ = 0;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mane {
 namespace {
@@ -15,9 +16,9 @@ constexpr double kSpare = 0.02;
 constexpr float kWait = 12;
 /// And one that was.
 constexpr float kPause = 3;
-/// A plane that is nearer than this share of the surface's distance is tried again in a smaller
-/// ball.
-constexpr float kGoodPlane = 0.7f;
+/// A plane is taken where the section is over it by this share of the surface's distance; in the
+/// smaller ball, by the second.
+constexpr float kGoodPlane = 0.7f, kUsefulPlane = 0.3f;
 constexpr double kRounding = 1e-5; // [m] over that of single precision
 
 float squared_distance(const TriangleTree::Box& box, const Vec3& p) {
@@ -157,21 +158,24 @@ void CharacterRegions::renew(Slot slot, const Vec3& x, double wanted, std::uint3
         const auto distance = static_cast<float>(ball);
         normal = Vec3(normalized(p - near->closest.point));
         const float own = dot(normal, x);
-        for (const double size : {most, wanted}) {
+        for (const auto& [size, share] : {std::pair(most, kGoodPlane), {wanted, kUsefulPlane}}) {
             const auto half = static_cast<float>(size);
             const BoxHeights heights(normal,
                                      {x - Vec3(half, half, half), x + Vec3(half, half, half)});
+            const float highest = own - share * distance,
+                        roof = surface.roof(heights, own - distance, highest);
+            if (roof > highest)
+                continue;
             radius = size;
-            height = surface.roof(heights, own - distance, 1e30f) + heights.slack +
-                     static_cast<float>(kRounding);
-            if (own - height > kGoodPlane * distance)
-                break;
+            height = roof + heights.slack + static_cast<float>(kRounding);
+            break;
         }
     }
 
     std::uint64_t groups = 0;
     float squared_far = 1e6f;
-    const auto minded = static_cast<float>(radius * radius);
+    const double wide = std::max(radius, wanted);
+    const auto minded = static_cast<float>(wide * wide);
     for (std::size_t g = 0; g < boxes_.size(); ++g) {
         const float squared = squared_distance(boxes_[g], x);
         if (squared <= minded)
