@@ -37,7 +37,7 @@ Surface::Surface(const Mesh& rest) : mesh_(close_borders(rest)) {
     poses_ = {PosedSurface(mesh_.triangles, closed_vertices_),
               PosedSurface(mesh_.triangles, closed_vertices_)};
     find_creases(closed_vertices_);
-    find_normals();
+    sort_by_vertex();
     drift_ = Drift(mesh_.triangles, poses_[0].tree());
     drift_.follow(closed_vertices_, kAtRest, false);
 }
@@ -60,11 +60,9 @@ void Surface::take_frames(std::size_t end, std::span<const RigidFrame> frames) {
 
 void Surface::reset(std::span<const Vec3> vertices, std::span<const RigidFrame> frames) {
     take(vertices);
-    for (std::size_t end : {0, 1}) {
-        poses_[end].pose(closed_vertices_);
-        take_frames(end, frames);
-    }
-    find_normals();
+    poses_[1 - start_].pose(closed_vertices_);
+    take_frames(0, frames);
+    take_frames(1, frames);
     drift_.follow(closed_vertices_, frames, was_reset_);
     for (std::size_t f = 0; f < drift_.frames(); ++f)
         jumps_ += drift_.of_any(f) > kSame;
@@ -78,7 +76,6 @@ void Surface::advance(std::span<const Vec3> vertices, double duration,
     take(vertices);
     poses_[1 - start_].pose(closed_vertices_);
     take_frames(1 - start_, frames);
-    find_normals();
     drift_.follow(closed_vertices_, frames, was_reset_);
     was_reset_ = false;
     ++block_;
@@ -124,14 +121,27 @@ void Surface::find_creases(std::span<const Vec3> rest) {
     }
 }
 
-void Surface::find_normals() {
-    vertex_normals_.assign(closed_vertices_.size(), {});
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-        const Triangle corners = start().triangle(t);
-        const Vec3d weighted = cross(corners.b - corners.a, corners.c - corners.a); // by area
+void Surface::sort_by_vertex() {
+    at_vertex_.start(closed_vertices_.size());
+    for (const auto& corners : mesh_.triangles)
+        for (std::uint32_t v : corners)
+            at_vertex_.count(v);
+    triangles_at_.resize(at_vertex_.add_up());
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
         for (std::uint32_t v : mesh_.triangles[t])
-            vertex_normals_[v] += weighted;
+            triangles_at_[at_vertex_.next(v)] = t;
+    at_vertex_.finish();
+}
+
+// At the start, not unit: the mean of the triangles' by their areas. Asked for at the few vertices
+// that hair is about to touch.
+Vec3d Surface::vertex_normal(std::uint32_t v) const {
+    Vec3d sum;
+    for (std::uint32_t i = at_vertex_.first(v); i < at_vertex_.last(v); ++i) {
+        const Triangle t = start().triangle(triangles_at_[i]);
+        sum += cross(t.b - t.a, t.c - t.a);
     }
+    return sum;
 }
 
 Vec3d Surface::smooth_normal(const SurfacePlace& place) const {
@@ -139,7 +149,7 @@ Vec3d Surface::smooth_normal(const SurfacePlace& place) const {
     const auto& corner = mesh_.triangles[place.triangle];
     const auto& crease = crease_[place.triangle];
     const auto at = [&](std::size_t c) {
-        return crease[c] ? own : normalized(vertex_normals_[corner[c]]);
+        return crease[c] ? own : normalized(vertex_normal(corner[c]));
     };
     const Vec3d& weight = place.closest.barycentric;
     const Vec3d mean = at(0) * weight.x + at(1) * weight.y + at(2) * weight.z;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/bins.h"
 #include "character/closing.h"
 #include "character/drift.h"
 #include "character/posed_surface.h"
@@ -25,7 +26,7 @@ class Surface {
                  std::span<const RigidFrame> frames = kAtRest);
     static constexpr RigidFrame kAtRest[1] = {};
 
-    const PosedSurface& start() const { return poses_[start_]; }
+    const PosedSurface& start() const { return poses_[was_reset_ ? 1 - start_ : start_]; }
     const PosedSurface& end() const { return poses_[1 - start_]; }
     double duration() const { return duration_; } ///< [s] of the block
     double fastest() const {
@@ -58,17 +59,19 @@ class Surface {
     void take(std::span<const Vec3> vertices);
     void take_frames(std::size_t end, std::span<const RigidFrame> frames);
     void find_creases(std::span<const Vec3> rest);
-    void find_normals();
+    void sort_by_vertex();
+    Vec3d vertex_normal(std::uint32_t v) const;
 
     ClosedMesh mesh_;
     std::vector<std::array<bool, 3>> crease_; // per triangle and corner
     std::vector<Vec3> closed_vertices_;       // the mesh's and the caps' centres
-    std::vector<Vec3d> vertex_normals_;       // at the start
+    Bins at_vertex_;                          // per vertex: places in triangles_at_
+    std::vector<std::uint32_t> triangles_at_; // by vertex, rising
     std::array<PosedSurface, 2> poses_;
     std::array<std::array<RigidFrame, Drift::kFrames>, 2> frames_;
     Drift drift_;
     std::uint64_t block_ = 0, jumps_ = 0;
-    bool was_reset_ = false;
+    bool was_reset_ = false; // then the end is both
     std::size_t start_ = 0;
     double duration_ = 0, fastest_ = 0;
 };

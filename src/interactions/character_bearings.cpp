@@ -10,6 +10,7 @@ namespace {
 
 /// [m] far over the rounding of distances in double, far under what shows.
 constexpr double kRounding = 1e-9;
+constexpr double kNear = 0.01; // [m]
 
 double distance(const Vec3& a, const Vec3& b) {
     return length(Vec3d(a) - Vec3d(b));
@@ -19,8 +20,9 @@ double distance(const Vec3& a, const Vec3& b) {
 
 CharacterBearings::CharacterBearings(const WispCopy& wisp, std::span<const ContactBody> bodies,
                                      std::span<CarriedPoint> carried, const Escape& escape)
-    : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(escape), known_(carried.size()),
-      drawn_(wisp.sections() * (1 + 2 * wisp.k())), drawn_known_(wisp.sections(), 0) {}
+    : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(escape), came_to_(wisp.x),
+      known_(carried.size()), drawn_(wisp.sections() * (1 + 2 * wisp.k())),
+      drawn_known_(wisp.sections(), 0) {}
 
 void CharacterBearings::set_free(std::uint32_t i, std::uint32_t b) {
     known_[at(i, b)].inside = Answer::no;
@@ -28,27 +30,29 @@ void CharacterBearings::set_free(std::uint32_t i, std::uint32_t b) {
 }
 
 const CarriedPoint& CharacterBearings::carried(std::uint32_t i, std::uint32_t b) {
-    if (!carried_[at(i, b)].looked)
-        look_around(i, b);
-    return carried_[at(i, b)];
+    CarriedPoint& point = carried_[at(i, b)];
+    if (!point.settled)
+        settle(point, i, *bodies_[b].surface);
+    return point;
 }
 
-// As far as the section went, and the surface may have.
-void CharacterBearings::look_around(std::uint32_t i, std::uint32_t b) {
-    CarriedPoint& carried = carried_[at(i, b)];
-    const Surface& surface = *bodies_[b].surface;
+// What was farther off than both went, cannot have been met.
+void CharacterBearings::settle(CarriedPoint& carried, std::uint32_t i,
+                               const Surface& surface) const {
+    const double radius =
+        distance(came_to_[i], carried.start) + surface.fastest() * surface.duration() + kNear;
     const Vec3d from(carried.start);
-    const double radius = length(Vec3d(wisp_.x[i]) - from) +
-                          surface.fastest() * surface.duration() + double(enough(i));
-    const auto place = surface.start().nearest(from, radius, carried.triangle);
-    carried.looked = true;
-    carried.near = place.has_value();
-    carried.clear = radius;
-    if (!place)
-        return;
-    carried.clear = std::sqrt(place->closest.squared);
-    carried.triangle = place->triangle;
-    carried.position = Vec3(surface.carried_point(place->triangle, from));
+    carried.settled = true;
+    if (!carried.found && carried.clear < radius) {
+        const auto place = surface.start().nearest(from, radius, carried.triangle);
+        carried.found = place.has_value();
+        carried.clear = place ? std::sqrt(place->closest.squared) : radius;
+        if (place)
+            carried.triangle = place->triangle;
+    }
+    carried.near = carried.found && carried.clear <= radius;
+    if (carried.near)
+        carried.position = Vec3(surface.carried_point(carried.triangle, from));
 }
 
 // A place of the surface goes no farther over the block than the vertices of its triangle.

@@ -27,6 +27,7 @@ class CharacterBearings {
 
     /// What a clear region tells: section i is outside body `b`, and its segment is free.
     void set_free(std::uint32_t i, std::uint32_t b);
+    /// Section i at the block's start, and carried along with body `b`.
     const CarriedPoint& carried(std::uint32_t i, std::uint32_t b);
 
     /// The radius of a clear ball round `p`, near section i [m]: the distance to body `b` where
@@ -69,13 +70,14 @@ class CharacterBearings {
     std::span<const Vec3> drawn(std::uint32_t i);
     void add_halfway(std::uint32_t i);
     Vec3 way_out(std::uint32_t i, std::uint32_t b) const;
-    void look_around(std::uint32_t i, std::uint32_t b);
+    void settle(CarriedPoint& carried, std::uint32_t i, const Surface& surface) const;
     std::size_t at(std::uint32_t i, std::uint32_t b) const { return b * wisp_.sections() + i; }
 
     const WispCopy& wisp_;
     std::span<const ContactBody> bodies_;
     std::span<CarriedPoint> carried_;
     const Escape& escape_;
+    std::vector<Vec3> came_to_;             // where the sections were before the reaction
     std::vector<Known> known_;              // bodies × sections
     std::vector<Vec3> points_;              // of a segment
     std::vector<Vec3> drawn_;               // sections × (1 + 2 K): see drawn()

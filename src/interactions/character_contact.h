@@ -27,11 +27,12 @@ struct ContactBody {
 /// A skeleton point at a block's start, and where it would be at the end if it had been fixed to
 /// the polygon that was nearest then.
 struct CarriedPoint {
-    Vec3 start;         ///< [m]
-    double clear = 0;   ///< [m] nothing of the surface was nearer at the start
-    bool looked = true; ///< whether the nearest polygon was looked for; else what follows is unset
-    bool near = false;  ///< whether any polygon was near enough to be met within the block
-    Vec3 position;      ///< [m] at the end, where `near`
+    Vec3 start;          ///< [m]
+    double clear = 0;    ///< [m] nothing of the surface was nearer at the start
+    bool found = false;  ///< whether `triangle` was the nearest, `clear` away
+    bool settled = true; ///< whether what follows was worked out: it is when first asked for
+    bool near = false;   ///< whether any polygon was near enough to be met within the block
+    Vec3 position;       ///< [m] at the end, where `near`
     std::uint32_t triangle = PosedSurface::kNoGuess; ///< the nearest, of this block or an earlier
 };
 

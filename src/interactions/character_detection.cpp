@@ -9,6 +9,7 @@
 namespace mane {
 namespace {
 
+constexpr RegionTest::Approach kAll{.section = 0xffff, .segment = 0xffff, .spent = 0};
 /// [m] Wherever a section goes that far beyond its envelope, its region is of use.
 constexpr double kUseful = 0.02;
 /// A support point this near to an envelope point is that point.
@@ -42,12 +43,10 @@ class Detector {
         carried_ = carried;
         before_ = here_ = {};
         bool under = worn_ && inside(1);
-        under_ = under ? 1 : 0;
         for (std::uint32_t i = 2; i < wisp_.sections(); ++i) {
             under = under && inside(i);
             if (under) {
-                under_ = i;
-                carried[i].looked = true;
+                carried[i].settled = true;
                 continue;
             }
             const auto [section, segment] = could_touch(i);
@@ -109,11 +108,7 @@ class Detector {
                 reach.velocity = velocity_at(surface_, *reach.place);
         }
         carried.clear = reach.clear;
-        carried.looked = true;
-        carried.near = i >= 2 && i > under_ && reach.place.has_value();
-        if (carried.near)
-            carried.position =
-                Vec3(surface_.carried_point(reach.place->triangle, Vec3d(wisp_.x[i])));
+        carried.found = reach.place.has_value();
         return reach;
     }
 
@@ -220,7 +215,6 @@ class Detector {
 
     std::span<CarriedPoint> carried_;
     CharacterRegions::Here region_; // of the section
-    std::uint32_t under_ = 0;       // the last section under a worn body
     Reach before_, here_;           // the last two that were looked around
     const WispCopy& wisp_;
     const Surface& surface_;
@@ -241,7 +235,8 @@ void start_carried(const HairView& hair, const Packet& packet, std::uint32_t lan
         const std::uint32_t i = n % sections;
         carried[n].start = hair.state.position.vec({packet.first_row + i, lane});
         carried[n].clear = 0;
-        carried[n].looked = i < 2;
+        carried[n].found = false;
+        carried[n].settled = i < 2;
         carried[n].near = false;
     }
 }
@@ -308,9 +303,9 @@ void CharacterContacts::detect(const HairView& hair, std::span<const ContactBody
     threads.run(hair.layout.packets().size(), [&](std::size_t p) {
         const Packet& packet = hair.layout.packets()[p];
         DetectionScratch scratch;
-        scratch.flags.resize(bodies.size() * packet.rows);
-        for (std::uint32_t b = 0; b < bodies.size(); ++b)
-            regions_[b].approach(region_test_, hair, p, reach,
+        scratch.flags.assign(bodies.size() * packet.rows, kAll);
+        for (std::uint32_t b = 0; b < bodies.size() && ablation_.clear_regions; ++b)
+            regions_[b].approach(region_test_, hair, p, reach, ablation_.clear_reach,
                                  scratch.flags.data() + b * packet.rows);
         std::uint32_t asked = 0;
         for (const RegionTest::Approach& row : scratch.flags)

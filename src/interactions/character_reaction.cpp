@@ -335,7 +335,7 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
                                        const CharacterContactDesc& desc, State& state,
                                        Threads& threads) {
     const std::size_t wisps = hair.groom.wisp_count(), packets = hair.layout.packets().size();
-    bool current = regions_.size() == bodies.size();
+    bool current = ablation_.clear_regions && regions_.size() == bodies.size();
     for (std::size_t b = 0; current && b < bodies.size(); ++b)
         current = regions_[b].current(*bodies[b].surface);
     carried_.resize(wisps);

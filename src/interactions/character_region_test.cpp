@@ -29,6 +29,9 @@ HWY_INLINE Pack norm(Pack3 v) {
 HWY_INLINE Mask both(Mask a, Mask b) {
     return {hn::And(a.m, b.m)};
 }
+HWY_INLINE Mask either(Mask a, Mask b) {
+    return {hn::Or(a.m, b.m)};
+}
 HWY_INLINE Mask inverse(Mask a) {
     return {hn::Not(a.m)};
 }
@@ -40,13 +43,19 @@ HWY_INLINE std::uint32_t bits_of(Mask mask) {
 
 /// The regions of sixteen sections, where they are at an end of the block.
 struct Located {
-    Mask known;
+    Mask known, has_cap, has_ball; // a piece without the centre does not count
     Pack3 centre, normal;
-    Pack height, radius, far;
+    Pack height, radius, ball, far;
     Pack turn, any; // of their frames
     Pack3 turn_x, turn_y, turn_z, shift;
 
     HWY_INLINE Pack over(Pack3 p) const { return dot(normal, p) - height; }
+    /// Whether all that is over the plane by `over`, and no farther than `out` from the centre, is
+    /// in one piece and farther than `margin` from its side.
+    HWY_INLINE Mask holds(Pack over, Pack out, Pack margin) const {
+        const Mask in_cap = both(has_cap, both(over > margin, radius - out > margin));
+        return either(in_cap, both(has_ball, ball - out > margin));
+    }
     /// How far a frame takes a place over the block.
     HWY_INLINE Pack3 way(Pack3 p) const {
         return turn_x * p.x + turn_y * p.y + turn_z * p.z + shift;
@@ -58,10 +67,13 @@ HWY_INLINE Located located(const RegionQuestion& q, const float* row, int end) {
     const Pack3 centre = Pack3::load(row + ClearRegion::centre * kLanes),
                 normal = Pack3::load(row + ClearRegion::normal * kLanes), none{zero, zero, zero};
     Located found{{hn::Ge(frame.v, zero.v)},
+                  {},
+                  {},
                   none,
                   none,
                   Pack::load(row + ClearRegion::height * kLanes),
                   Pack::load(row + ClearRegion::radius * kLanes),
+                  Pack::load(row + ClearRegion::ball * kLanes),
                   Pack::load(row + ClearRegion::far * kLanes),
                   zero,
                   zero,
@@ -87,6 +99,9 @@ HWY_INLINE Located located(const RegionQuestion& q, const float* row, int end) {
         found.turn_z = select(here, broadcast(m.turn_z), found.turn_z);
         found.shift = select(here, broadcast(m.shift), found.shift);
     }
+    const Pack margin(kOverRounding);
+    found.has_cap = both(found.over(found.centre) > margin, found.radius > margin);
+    found.has_ball = found.ball > margin;
     return found;
 }
 
@@ -172,7 +187,8 @@ HWY_INLINE Flags approach_of(const RegionQuestion& q, const Sector& sector, std:
     };
     const Pack3 way = wandered(row, s.x), way_before = wandered(row - 1, before.x);
     const auto need = [&](Pack distance, Pack rate, Pack radius, Pack stray) {
-        return (Pack(q.reach) + distance + stray + (rate * time + region.turn * radius) * longest) /
+        return Pack(q.share) *
+               (Pack(q.reach) + distance + stray + (rate * time + region.turn * radius) * longest) /
                (one - region.turn);
     };
     const Pack stray = Pack::load(numbers + ClearRegion::stray * kLanes);
@@ -183,8 +199,8 @@ HWY_INLINE Flags approach_of(const RegionQuestion& q, const Sector& sector, std:
     const Pack needed = need(norm(way), s.rate, s.radius, stray),
                needed_far = need(norm(way), s.rate, s.radius, region.any);
     const Pack out = off + s.radius * longest;
-    const Mask section_clear = both(
-        over + dip > needed, both(region.radius - out > needed, region.far - out > needed_far));
+    const Mask section_clear =
+        both(region.holds(over + dip, out, needed), region.far - out > needed_far);
 
     const Pack over_before = region.over(before.x);
     const Pack dip_before = lowest(heights(q, row - 1, lane, region.normal), count, sector);
@@ -193,23 +209,24 @@ HWY_INLINE Flags approach_of(const RegionQuestion& q, const Sector& sector, std:
     const Pack needed_middle = need(way_middle, rate, radius, stray),
                needed_middle_far = need(way_middle, rate, radius, region.any);
     const Pack out_middle = norm((s.x + before.x) * half - region.centre) + radius * longest;
-    const Mask middle_clear = both((over + over_before + dip + dip_before) * half > needed_middle,
-                                   both(region.radius - out_middle > needed_middle,
-                                        region.far - out_middle > needed_middle_far));
+    const Mask middle_clear = both(
+        region.holds((over + over_before + dip + dip_before) * half, out_middle, needed_middle),
+        region.far - out_middle > needed_middle_far);
 
+    const Pack margin(kOverRounding);
     const Mask holds =
-        both(region.known, both(over > Pack(kOverRounding),
-                                smaller(region.radius, region.far) - off > Pack(kOverRounding)));
+        both(region.known, both(region.holds(over, off, margin), region.far - off > margin));
     const Pack wait = larger(Pack::load(numbers + ClearRegion::wait * kLanes) - one, Pack(0.f));
     wait.store(numbers + ClearRegion::wait * kLanes);
     select(holds, Pack::load(numbers), Pack(-1.f)).store(numbers);
 
     const Pack half_segment = norm(s.x - before.x) * half;
-    const Pack left = smaller(region.radius - needed, region.far - needed_far) - out;
+    const Pack left =
+        smaller(larger(region.radius, region.ball) - needed, region.far - needed_far) - out;
     const Mask fit = both(holds, left > (i >= 2 ? half_segment : Pack(0.f)));
     const Mask all_clear = both(section_clear, middle_clear);
-    const Mask fresh = {hn::Or(
-        all_clear.m, hn::Lt(Pack::load(numbers + ClearRegion::age * kLanes).v, Pack(kAged).v))};
+    const Mask fresh =
+        either(all_clear, Pack::load(numbers + ClearRegion::age * kLanes) < Pack(kAged));
     const Mask may_look = {hn::Eq(wait.v, Pack(0.f).v)};
     const Mask spent = both(both(here, may_look), inverse(both(fit, fresh)));
     if (i < 2) {
@@ -223,6 +240,7 @@ HWY_INLINE Flags approach_of(const RegionQuestion& q, const Sector& sector, std:
 void approach(const RegionQuestion& q, std::size_t packet_index, RegionTest::Approach* rows) {
     const Packet& packet = q.layout.packets()[packet_index];
     const Sector sector(q.half_lines);
+    rows[0] = {};
     for (std::size_t i = 1; i < packet.rows; ++i) {
         std::uint32_t section = 0, segment = 0, spent = 0;
         for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
@@ -244,6 +262,7 @@ HWY_INLINE void take_end(const Located& at, float* numbers) {
     };
     add(ClearRegion::height, stray);
     add(ClearRegion::radius, -stray);
+    add(ClearRegion::ball, -stray);
     add(ClearRegion::far, -at.any);
     add(ClearRegion::age, stray);
 }
@@ -259,10 +278,10 @@ HWY_INLINE Mask stays(const RegionQuestion& q, const Sector& sector, std::size_t
     float* numbers = q.region.row(row) + lane;
     take_end(located(q, numbers, 1), numbers);
     const Located region = located(q, numbers, 1);
-    const Pack room = smaller(region.radius, region.far), margin(kOverRounding), half(0.5f);
-    const Pack longest(sector.longest);
+    const Pack margin(kOverRounding), half(0.5f), longest(sector.longest);
     const auto holds = [&](Pack over, Pack3 p, Pack around) {
-        return both(over > margin, room - norm(p - region.centre) - around > margin);
+        const Pack out = norm(p - region.centre) + around;
+        return both(region.holds(over, out, margin), region.far - out > margin);
     };
 
     const Sections s = sections(q, row, lane);

@@ -9,17 +9,19 @@
 namespace mane {
 
 /// What is known of a section's surroundings: a part of space that moves with a rigid frame of a
-/// body, and that holds nothing of the body's surface. It is what a ball has over a plane, in the
-/// frame's own coordinates; all of it is outside the body. One number each, in this order.
+/// body, outside the body and with nothing of its surface. It has two pieces that share a centre: a
+/// ball, and what a larger ball has over a plane. In the frame's own coordinates, one number each,
+/// in this order.
 struct ClearRegion {
     enum Column : std::uint32_t {
         frame,      ///< negative where nothing is known
-        centre,     ///< [m] of the ball, three numbers
-        normal = 4, ///< of the plane, unit; zero where the whole ball is clear
+        centre,     ///< [m] three numbers
+        normal = 4, ///< of the plane, unit
         height = 7, ///< [m] of the plane along it
-        radius,     ///< [m] of the ball, for those groups of triangles that are minded
+        radius,     ///< [m] of the larger ball
+        ball,       ///< [m] the smaller one's radius
         far,        ///< [m] from the centre; no other group is nearer
-        stray,      ///< [m] how far the minded groups stray from the frame over the present block
+        stray,      ///< [m] how far the others stray from the frame over the present block
         age,        ///< [m] how far they have since the region was found
         wait,       ///< blocks for which it is not looked for again
         count
@@ -43,6 +45,7 @@ struct RegionQuestion {
     Rows& region;
     std::span<const FrameMotion> motion;
     float duration = 0; ///< [s] of the block
+    float share = 1;    ///< [1] of the bound on what may be met: Ablation::clear_reach
     float reach = 0; ///< [m] what is no farther than this may be met, beside what velocities bring
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mane {
 namespace {
@@ -13,9 +14,11 @@ namespace {
 constexpr double kSpare = 0.02;
 /// Blocks until a region that was not found is looked for again.
 constexpr float kWait = 12;
-/// A plane that is nearer than this share of the surface's distance is tried again in a smaller
-/// ball.
-constexpr double kGoodPlane = 0.7;
+/// And one that was.
+constexpr float kPause = 3;
+/// A plane is taken where the section is over it by this share of the surface's distance; in the
+/// smaller ball, by the second.
+constexpr float kGoodPlane = 0.7f, kUsefulPlane = 0.3f;
 constexpr double kRounding = 1e-5; // [m] over that of single precision
 
 float squared_distance(const TriangleTree::Box& box, const Vec3& p) {
@@ -77,26 +80,28 @@ void CharacterRegions::find_motion() {
         boxes_.push_back(tree.bounds(group));
 }
 
-RegionQuestion CharacterRegions::question(const HairView& hair, double reach) {
-    return {hair.layout,
-            hair.state,
-            hair.frames,
-            hair.half_lines,
-            region_,
-            motion_,
-            static_cast<float>(surface_->duration()),
-            static_cast<float>(reach + kRounding)};
+RegionQuestion CharacterRegions::question(const HairView& hair) {
+    return {.layout = hair.layout,
+            .state = hair.state,
+            .frames = hair.frames,
+            .half_lines = hair.half_lines,
+            .region = region_,
+            .motion = motion_,
+            .duration = static_cast<float>(surface_->duration())};
 }
 
 void CharacterRegions::approach(const RegionTest& test, const HairView& hair, std::size_t packet,
-                                double reach, RegionTest::Approach* rows) {
+                                double reach, float share, RegionTest::Approach* rows) {
     find_stray(hair.layout.packets()[packet]);
-    test.approach(question(hair, reach), packet, rows);
+    RegionQuestion asked = question(hair);
+    asked.reach = static_cast<float>(reach + kRounding);
+    asked.share = share;
+    test.approach(asked, packet, rows);
 }
 
 void CharacterRegions::stay(const RegionTest& test, const HairView& hair, std::size_t packet,
                             std::uint16_t* rows) {
-    test.stay(question(hair, 0), packet, rows);
+    test.stay(question(hair), packet, rows);
 }
 
 void CharacterRegions::find_stray(const Packet& packet) {
@@ -111,7 +116,10 @@ void CharacterRegions::find_stray(const Packet& packet) {
 }
 
 double CharacterRegions::Here::clear(const Vec3d& p) const {
-    return std::min(dot(normal, p) - height, radius - length(p - centre)) - kRounding;
+    const double out = length(p - centre);
+    return std::min(std::max(std::min(dot(normal, p) - height, radius - out), ball - out),
+                    far - out) -
+           kRounding;
 }
 
 CharacterRegions::Here CharacterRegions::here(Slot slot) const {
@@ -127,7 +135,9 @@ CharacterRegions::Here CharacterRegions::here(Slot slot) const {
     found.normal = frame.to_world(vec(ClearRegion::normal)) - frame.origin;
     found.centre = frame.to_world(vec(ClearRegion::centre));
     found.height = number(ClearRegion::height) + dot(found.normal, frame.origin);
-    found.radius = std::min(number(ClearRegion::radius), number(ClearRegion::far));
+    found.radius = number(ClearRegion::radius);
+    found.ball = number(ClearRegion::ball);
+    found.far = number(ClearRegion::far);
     return found;
 }
 
@@ -137,37 +147,35 @@ void CharacterRegions::renew(Slot slot, const Vec3& x, double wanted, std::uint3
     const PosedSurface& surface = surface_->start();
     const Vec3d p(x);
     const double most = wanted + kSpare;
-    double radius = 2 * most;
+    const std::optional<SurfacePlace> near = surface.nearest(p, 2 * most, guess);
+    const double ball = (near ? std::sqrt(near->closest.squared) : 2 * most) - kRounding;
+    if (ball < kRounding || surface.inside(p))
+        return;
     Vec3 normal;
-    float height = -1e30f;
-    const std::optional<SurfacePlace> near = surface.nearest(p, radius, guess);
-    if (near)
-        radius = std::sqrt(near->closest.squared) - kRounding;
-    if (radius < most) {
-        const double distance = radius;
-        if (distance < kRounding)
-            return;
+    float height = 1e30f; // no plane
+    double radius = ball;
+    if (ball < most) {
+        const auto distance = static_cast<float>(ball);
         normal = Vec3(normalized(p - near->closest.point));
         const float own = dot(normal, x);
-        for (const double size : {most, wanted}) {
+        for (const auto& [size, share] : {std::pair(most, kGoodPlane), {wanted, kUsefulPlane}}) {
             const auto half = static_cast<float>(size);
             const BoxHeights heights(normal,
                                      {x - Vec3(half, half, half), x + Vec3(half, half, half)});
-            const float roof = surface.roof(heights, own - static_cast<float>(distance), 1e30f);
+            const float highest = own - share * distance,
+                        roof = surface.roof(heights, own - distance, highest);
+            if (roof > highest)
+                continue;
             radius = size;
             height = roof + heights.slack + static_cast<float>(kRounding);
-            if (double(own - height) > kGoodPlane * distance)
-                break;
+            break;
         }
-        if (own - height < static_cast<float>(kRounding))
-            return;
     }
-    if (surface.inside(p))
-        return;
 
     std::uint64_t groups = 0;
     float squared_far = 1e6f;
-    const auto minded = static_cast<float>(radius * radius);
+    const double wide = std::max(radius, wanted);
+    const auto minded = static_cast<float>(wide * wide);
     for (std::size_t g = 0; g < boxes_.size(); ++g) {
         const float squared = squared_distance(boxes_[g], x);
         if (squared <= minded)
@@ -195,10 +203,11 @@ void CharacterRegions::renew(Slot slot, const Vec3& x, double wanted, std::uint3
     put(ClearRegion::normal, frame.direction_to_local(n));
     number(slot, ClearRegion::height) = height - static_cast<float>(dot(n, frame.origin));
     number(slot, ClearRegion::radius) = static_cast<float>(radius - kRounding);
+    number(slot, ClearRegion::ball) = static_cast<float>(ball);
     number(slot, ClearRegion::far) = static_cast<float>(far - kRounding);
     number(slot, ClearRegion::stray) = drift.of_groups(best, groups);
     number(slot, ClearRegion::age) = 0;
-    number(slot, ClearRegion::wait) = 0;
+    number(slot, ClearRegion::wait) = kPause;
 }
 
 } // namespace mane

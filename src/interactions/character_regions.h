@@ -17,7 +17,7 @@ class CharacterRegions {
     /// A section's region at the block's start, in the world.
     struct Here {
         Vec3d normal, centre;
-        double height = 0, radius = -1;
+        double height = 0, radius = -1, ball = -1, far = -1;
         /// [m] nothing of the surface is nearer to `p`; negative where nothing is known
         double clear(const Vec3d& p) const;
     };
@@ -26,9 +26,10 @@ class CharacterRegions {
     /// For a block of `surface`, at its start. Whatever was known is forgotten unless the block
     /// before was taken to its end.
     void begin(const HairView& hair, const Surface& surface);
-    /// Asks for a packet. `reach` [m]: what the block may bring nearer beside velocities.
+    /// Asks for a packet. `reach` [m]: what is no farther may be met, beside what velocities bring;
+    /// `share`: of the bound on both.
     void approach(const RegionTest& test, const HairView& hair, std::size_t packet, double reach,
-                  RegionTest::Approach* rows);
+                  float share, RegionTest::Approach* rows);
     /// Looks for a section's region again; `wanted` [m]: the radius that is of use.
     void renew(Slot slot, const Vec3& x, double wanted, std::uint32_t near);
 
@@ -46,7 +47,7 @@ class CharacterRegions {
     void find_motion();
     void find_stray(const Packet& packet);
     float& number(Slot slot, std::uint32_t column) { return region_.at(slot, column); }
-    RegionQuestion question(const HairView& hair, double reach);
+    RegionQuestion question(const HairView& hair);
 
     const Surface* surface_ = nullptr;
     std::uint64_t block_ = 0, jumps_ = 0;

@@ -23,6 +23,11 @@ constexpr std::size_t kNone = ~std::size_t{0};
 void SlidingResponse::answer(const HairView& hair, std::uint32_t number,
                              std::span<const SlidingContact> contacts, const Step& step,
                              State& state, std::vector<Vec3>& impulses) {
+    const Slot root = hair.layout.slot(hair.groom.first_section[number]);
+    impulses.assign(contacts.size(), {});
+    if (std::all_of(contacts.begin(), contacts.end(),
+                    [&](const auto& contact) { return far_off(hair, root, contact, step); }))
+        return;
     contacts_ = contacts;
     first_ = contacts.front().point.section;
     end_ = first_ + 1;
@@ -30,7 +35,6 @@ void SlidingResponse::answer(const HairView& hair, std::uint32_t number,
         end_ = std::max(end_, contact.point.section + (contact.point.along > 0 ? 2 : 1));
     wisp_.load_motion(hair, number, first_, end_);
     find_planes(step);
-    impulses.assign(contacts.size(), {});
     if (idle())
         return;
     wisp_.load_masses(hair);
@@ -39,6 +43,66 @@ void SlidingResponse::answer(const HairView& hair, std::uint32_t number,
     wisp_.store_velocities(hair, state);
     for (std::size_t c = 0; c < planes_.size(); ++c)
         impulses[c] = planes_[c].normal * planes_[c].impulse + planes_[c].dragged;
+}
+
+namespace {
+
+/// A point of a wisp, straight from the state.
+struct PointNow {
+    Vec3 position, velocity;
+};
+PointNow point_of_section(const HairView& hair, Slot slot, const WispPoint& point) {
+    PointNow now{hair.state.position.vec(slot), hair.state.velocity.vec(slot)};
+    if (point.on_axis())
+        return now;
+    const Vec3 u = hair.frames.u.vec(slot), v = hair.frames.v.vec(slot);
+    const auto add = [&](std::uint32_t line, float share) {
+        const HalfLine& d = hair.half_lines[line];
+        const Vec3 way = (u * d.cosine + v * d.sine) * share;
+        now.position += way * hair.state.radius.at(slot, line);
+        now.velocity += way * hair.state.radius_rate.at(slot, line);
+    };
+    add(point.k, point.alpha);
+    if (point.beta > 0)
+        add(point.k + 1 == hair.half_lines.size() ? 0 : point.k + 1, point.beta);
+    return now;
+}
+PointNow point_now(const HairView& hair, Slot root, const WispPoint& point) {
+    const Slot slot{root.row + point.section, root.lane};
+    const PointNow here = point_of_section(hair, slot, point);
+    if (point.along == 0)
+        return here;
+    const PointNow after = point_of_section(hair, {slot.row + 1, slot.lane}, point);
+    return {here.position * (1 - point.along) + after.position * point.along,
+            here.velocity * (1 - point.along) + after.velocity * point.along};
+}
+
+/// Not under the length, without a root.
+float at_least_length(const Vec3& v) {
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+} // namespace
+
+/// Whether a contact has nothing to answer even if its point came straight at its plane: most
+/// planes, in most steps. The point is over the plane by at least its height along the normal,
+/// which is no longer than one between the block's ends. May fail to tell.
+bool SlidingResponse::far_off(const HairView& hair, Slot root, const SlidingContact& contact,
+                              const Step& step) {
+    constexpr float kOverRounding = 1e-5f; // [m]
+    constexpr float kSoftest = 2e-4f;      // [m] over where a gap closes softly
+    const PointNow point = point_now(hair, root, contact.point);
+    const Vec3 way = contact.normal + contact.normal_change * step.fraction;
+    const Vec3 from_anchor =
+        point.position - (contact.anchor + contact.anchor_change * step.fraction);
+    const float gap = dot(from_anchor, way) - contact.threshold - kOverRounding;
+    if (gap < kSoftest || dot(way, way) < 0.25f)
+        return false;
+    // |ṅ| is at most twice the change of what is not quite unit
+    const float closes = at_least_length(point.velocity) * step.duration +
+                         at_least_length(contact.anchor_change) +
+                         2 * at_least_length(from_anchor) * at_least_length(contact.normal_change);
+    return closes * step.dt < gap * step.duration;
 }
 
 void SlidingResponse::find_planes(const Step& step) {

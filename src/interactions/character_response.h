@@ -52,6 +52,9 @@ class SlidingResponse {
                 std::vector<Vec3>& impulses);
 
   private:
+    static bool far_off(const HairView& hair, Slot root, const SlidingContact& contact,
+                        const Step& step);
+
     /// A contact's plane now.
     struct Plane {
         Vec3 normal;

@@ -175,7 +175,7 @@ std::size_t WispDetection::find_points(const HairView& hair, const ContactPoints
     for (std::size_t p = 0; p < found.inside.count; ++p) {
         const std::uint32_t point = found.inside.point[p], at = point / 16, code = point % 16,
                             section = points.order.section(at);
-        const Belongs belongs = belongs_to(hair, section, segment);
+        const Belongs belongs = belongs_to(points, at, rank);
         if (!belongs.before && !belongs.after)
             continue;
         const bool was = earlier.friction(points.place(at, code));
@@ -195,18 +195,17 @@ std::size_t WispDetection::find_points(const HairView& hair, const ContactPoints
     return found.contacts.size() - before;
 }
 
-/// A section stands for the segment before it and the one after it: which of them may touch
-/// `segment`.
-WispDetection::Belongs WispDetection::belongs_to(const HairView& hair, std::uint32_t section,
-                                                 std::uint32_t segment) const {
-    const std::uint32_t wisp = hair.layout.wisp_of(section);
-    const bool begins = section + 1 < hair.groom.first_section[wisp + 1],
-               ends = hair.layout.simulated(section);
-    if (hair.layout.wisp_of(segment) != wisp)
+/// A section stands for the segment before it and the one after it: which of them may touch the
+/// segment that begins at `rank`.
+WispDetection::Belongs WispDetection::belongs_to(const ContactPoints& points, std::uint32_t at,
+                                                 std::uint32_t rank) const {
+    const bool begins = points.order.next(at) != ContactOrder::kNone, ends = !points.held[at];
+    if (points.wisp[at] != points.wisp[rank])
         return {ends, begins};
     if (!ablation_.self_collision)
         return {false, false};
     // Two segments of one wisp must share no section (M22).
+    const std::uint32_t section = points.order.section(at), segment = points.order.section(rank);
     return {ends && (segment + 2 < section || segment > section),
             begins && (segment + 1 < section || segment > section + 1)};
 }

@@ -60,7 +60,7 @@ class WispDetection {
                      Found& found) const;
     std::size_t find_points(const HairView& hair, const ContactPoints& points, std::size_t index,
                             Found& found);
-    Belongs belongs_to(const HairView& hair, std::uint32_t section, std::uint32_t segment) const;
+    Belongs belongs_to(const ContactPoints& points, std::uint32_t at, std::uint32_t rank) const;
     void meet(const Belongs& belongs, std::uint32_t section, std::size_t first, Found& found) const;
     bool slender(const ContactPoints& points, std::uint32_t rank) const {
         return points.slenderness[rank] > desc_.axis_contact_ratio;
