@@ -138,7 +138,7 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
         if (i % kSegmentsPerGroup == 0)
             gather_near(points, i, std::min(last, i + kSegmentsPerGroup), found);
         list_.first[segments_[i] + 1] =
-            static_cast<std::uint32_t>(find_points(hair, points, i, found));
+            static_cast<std::uint32_t>(find_points(points, i, found));
         if (any_slender_ && slender(points, segments_[i]))
             find_axes(hair, points, segments_[i], found);
     }
@@ -160,8 +160,8 @@ void WispDetection::gather_near(const ContactPoints& points, std::size_t first, 
 }
 
 /// The points in the volume of a segment (M21). Returns how many they are.
-std::size_t WispDetection::find_points(const HairView& hair, const ContactPoints& points,
-                                       std::size_t index, Found& found) {
+std::size_t WispDetection::find_points(const ContactPoints& points, std::size_t index,
+                                       Found& found) {
     const std::uint32_t rank = segments_[index], segment = points.order.section(rank);
     const std::size_t bunches =
         point_test_.among(found.near, segment_box(points, rank), found.bunches.data());
