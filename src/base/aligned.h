@@ -6,17 +6,19 @@
 
 namespace mane {
 
-/// Allocates on borders of 64 bytes, one cache line and the widest vector.
+/// Memory on borders of 64 bytes, one cache line and the widest vector; from some megabytes on, of
+/// large pages where the system has them: what is gone through every step would else wait for the
+/// addresses of its pages.
+void* allocate_aligned(std::size_t bytes);
+void free_aligned(void* memory, std::size_t bytes);
+
 template <typename T> struct AlignedAllocator {
     using value_type = T;
-    static constexpr std::align_val_t kAlignment{64};
 
     AlignedAllocator() = default;
     template <typename U> AlignedAllocator(const AlignedAllocator<U>&) {}
-    T* allocate(std::size_t n) {
-        return static_cast<T*>(::operator new(n * sizeof(T), kAlignment));
-    }
-    void deallocate(T* p, std::size_t) { ::operator delete(p, kAlignment); }
+    T* allocate(std::size_t n) { return static_cast<T*>(allocate_aligned(n * sizeof(T))); }
+    void deallocate(T* p, std::size_t n) { free_aligned(p, n * sizeof(T)); }
     bool operator==(const AlignedAllocator&) const { return true; }
 };
 

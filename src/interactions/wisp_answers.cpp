@@ -210,6 +210,7 @@ gather_section(const ContactPoints& p, const WispAnswers& a, std::uint32_t rank)
         sum.skeleton += a.far[p.order.before(rank)];
     for (std::uint32_t i = a.at_section.first(rank); i < a.at_section.last(rank); ++i) {
         const std::uint32_t entry = a.entry[i];
+        __builtin_prefetch(&a.impulse[a.entry[i + 24] / 16]);
         const Four& j = a.impulse[entry / 16];
         const Four* point = point_of<kFours>(entry % 16);
         sum.skeleton += j;

@@ -144,7 +144,7 @@ void WispResponse::take_axis_points(const ContactPoints& points) {
 void WispResponse::sort_by_section(const ContactOrder& order, Threads& threads) {
     WispAnswers& a = answers_;
     const std::vector<WispContact>& contacts = list_->contacts;
-    a.entry.resize(list_->of_points());
+    a.entry.resize(list_->of_points() + 32);
     a.at_section.sort(
         threads, order.size(), list_->of_points(),
         [&](std::size_t i) { return order.rank(contacts[i].section); },
