@@ -99,6 +99,10 @@ HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& vis
         const auto inner = now.node * static_cast<std::uint32_t>(TriangleTree::kBoxes) + box;
         if (level > 0) {
             --level;
+            if (now.left != 0) // the next one, meanwhile
+                __builtin_prefetch(
+                    &tree.node(level, now.node * TriangleTree::kBoxes +
+                                          hwy::Num0BitsBelowLS1Bit_Nonzero32(now.left)));
             stack[level] = {inner, look_into(tree.node(level, inner))};
         } else if (!visit(inner)) {
             return;
