@@ -99,6 +99,10 @@ HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& vis
         const auto inner = now.node * static_cast<std::uint32_t>(TriangleTree::kBoxes) + box;
         if (level > 0) {
             --level;
+            if (now.left != 0) // the next one, meanwhile
+                __builtin_prefetch(
+                    &tree.node(level, now.node * TriangleTree::kBoxes +
+                                          hwy::Num0BitsBelowLS1Bit_Nonzero32(now.left)));
             stack[level] = {inner, look_into(tree.node(level, inner))};
         } else if (!visit(inner)) {
             return;
@@ -106,14 +110,27 @@ HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& vis
     }
 }
 
-/// The nearest place so far.
+/// The nearest place so far, and what rules out most triangles before their own nearest place is
+/// worked out: those wholly under the plane through the place across the way to it. All of that
+/// side is farther.
 struct Nearest {
+    static constexpr double kRounding = 1e-9; // [m] far over that of distances in double
+
+    Vec3d p;
     double limit; // squared
     float limit_of_boxes;
     std::optional<SurfacePlace> place;
+    Vec3d away; // unit, from the place to the point
+    double plane = 0;
 
-    explicit Nearest(double radius)
-        : limit(radius * radius), limit_of_boxes(BoxDistances::at_least(limit)) {}
+    Nearest(const Vec3d& from, double radius)
+        : p(from), limit(radius * radius), limit_of_boxes(BoxDistances::at_least(limit)) {}
+    bool rules_out(const std::array<Vec3, 3>& corners) const {
+        if (!place)
+            return false;
+        const auto under = [&](const Vec3& corner) { return dot(Vec3d(corner) - p, away) < plane; };
+        return under(corners[0]) && under(corners[1]) && under(corners[2]);
+    }
     void take(const SurfacePlace& candidate) {
         const double squared = candidate.closest.squared;
         if (squared > limit || (place && squared == limit && candidate.triangle >= place->triangle))
@@ -121,12 +138,14 @@ struct Nearest {
         place = candidate;
         limit = squared;
         limit_of_boxes = BoxDistances::at_least(limit);
+        away = normalized(p - candidate.closest.point);
+        plane = -std::sqrt(limit) - kRounding;
     }
 };
 
 std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p, double radius) {
     const TriangleTree& tree = in.tree;
-    Nearest best(radius);
+    Nearest best(p, radius);
     if (tree.levels() == 0)
         return best.place;
     const BoxDistances distances(p);
@@ -168,7 +187,8 @@ std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p,
                                            static_cast<std::size_t>(least - squared));
     }
     walk(tree, look_into, [&](std::uint32_t i) {
-        candidates.add(i, in.corners[i]);
+        if (!best.rules_out(in.corners[i]))
+            candidates.add(i, in.corners[i]);
         if (candidates.full())
             take_all();
         return true;

@@ -101,7 +101,8 @@ class Detector {
         reach.section = i;
         reach.from = Vec3d(wisp_.x[i]);
         reach.clear = double(desc_.threshold) + double(wisp_.largest_radius(i)) + speed * block;
-        if (look_near(carried.triangle, reach)) {
+        const bool out_of_reach = region_.clear(reach.from) > reach.clear;
+        if (!out_of_reach && look_near(carried.triangle, reach)) {
             carried.triangle = reach.place->triangle;
             reach.way = way_to_surface(reach);
             if (block > 0)

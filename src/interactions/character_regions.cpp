@@ -141,15 +141,20 @@ CharacterRegions::Here CharacterRegions::here(Slot slot) const {
     return found;
 }
 
-void CharacterRegions::renew(Slot slot, const Vec3& x, double wanted, std::uint32_t guess) {
+void CharacterRegions::renew(Slot slot, const Vec3& x, double wanted,
+                             std::uint32_t& near_triangle) {
+    // A region that holds its section tells which side it is on; others are forgotten.
+    const bool outside = number(slot, ClearRegion::frame) >= 0;
     number(slot, ClearRegion::frame) = -1;
     number(slot, ClearRegion::wait) = kWait;
     const PosedSurface& surface = surface_->start();
     const Vec3d p(x);
     const double most = wanted + kSpare;
-    const std::optional<SurfacePlace> near = surface.nearest(p, 2 * most, guess);
+    const std::optional<SurfacePlace> near = surface.nearest(p, 2 * most, near_triangle);
+    if (near)
+        near_triangle = near->triangle;
     const double ball = (near ? std::sqrt(near->closest.squared) : 2 * most) - kRounding;
-    if (ball < kRounding || surface.inside(p))
+    if (ball < kRounding || (!outside && surface.inside(p)))
         return;
     Vec3 normal;
     float height = 1e30f; // no plane

@@ -30,8 +30,9 @@ class CharacterRegions {
     /// `share`: of the bound on both.
     void approach(const RegionTest& test, const HairView& hair, std::size_t packet, double reach,
                   float share, RegionTest::Approach* rows);
-    /// Looks for a section's region again; `wanted` [m]: the radius that is of use.
-    void renew(Slot slot, const Vec3& x, double wanted, std::uint32_t near);
+    /// Looks for a section's region again; `wanted` [m]: the radius that is of use. `near`: a
+    /// triangle that may be near; then the nearest, if it was met.
+    void renew(Slot slot, const Vec3& x, double wanted, std::uint32_t& near);
 
     /// Whether the regions are those of the block that `surface` is in.
     bool current(const Surface& surface) const {
