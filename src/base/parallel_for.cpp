@@ -16,63 +16,100 @@ namespace mane {
 
 #if MANE_HAS_THREADS
 
+/// How often a thread looks before it sleeps: some ten microseconds, longer than the stages of a
+/// step are apart. To be woken takes about as long as a stage of a thousand wisps.
+constexpr int kLooks = 400;
+
+void look_again_soon() {
+#if defined(__SSE2__)
+    __builtin_ia32_pause();
+#else
+    std::this_thread::yield();
+#endif
+}
+
 // Our own pool, not oneTBB: the page and the wheel need it without system libraries, and
 // ThreadSanitizer sees through it.
 struct Threads::Pool {
     explicit Pool(unsigned workers) {
+        for (unsigned i = 0; i <= workers; ++i)
+            shares.push_back(std::make_unique<Share>());
         for (unsigned i = 0; i < workers; ++i)
-            threads.emplace_back([this] { work(); });
+            threads.emplace_back([this, i] { work(i + 1); });
     }
     ~Pool() {
-        {
-            std::lock_guard lock(mutex);
-            stop = true;
-        }
-        wake.notify_all();
+        stop.store(true);
+        announce();
         for (std::thread& t : threads)
             t.join();
     }
 
     void run(std::size_t chunk_count, const std::function<void(std::size_t)>& loop) {
-        {
-            std::lock_guard lock(mutex);
-            body = &loop;
-            chunks = chunk_count;
-            next.store(0, std::memory_order_relaxed);
-            failed_chunk = chunk_count;
-            failure = nullptr;
-            active = threads.size();
-            ++round;
+        body = &loop;
+        for (std::size_t s = 0; s < shares.size(); ++s) {
+            shares[s]->next.store(s * chunk_count / shares.size(), std::memory_order_relaxed);
+            shares[s]->end = (s + 1) * chunk_count / shares.size();
         }
-        wake.notify_all();
-        take_chunks();
-        std::unique_lock lock(mutex);
-        done.wait(lock, [this] { return active == 0; });
+        failed_chunk = chunk_count;
+        failure = nullptr;
+        active.store(threads.size(), std::memory_order_relaxed);
+        announce();
+        take_chunks(0);
+        wait_for(done, [this] { return active.load() == 0; });
         if (failure)
             std::rethrow_exception(failure);
     }
 
-    void work() {
+    /// A new round, to those who look and to those who sleep.
+    void announce() {
+        {
+            const std::lock_guard lock(mutex);
+            round.fetch_add(1);
+        }
+        wake.notify_all();
+    }
+
+    template <typename Condition>
+    void wait_for(std::condition_variable& news, const Condition& condition) {
+        for (int look = 0; look < kLooks; ++look) {
+            if (condition())
+                return;
+            look_again_soon();
+        }
+        std::unique_lock lock(mutex);
+        news.wait(lock, condition);
+    }
+
+    void work(std::size_t thread) {
         std::size_t seen = 0;
         for (;;) {
-            {
-                std::unique_lock lock(mutex);
-                wake.wait(lock, [&] { return stop || round != seen; });
-                if (stop)
-                    return;
-                seen = round;
-            }
-            take_chunks();
-            std::lock_guard lock(mutex);
-            if (--active == 0)
+            wait_for(wake, [&] { return round.load() != seen; });
+            ++seen;
+            if (stop.load())
+                return;
+            take_chunks(thread);
+            if (active.fetch_sub(1) == 1) {
+                { const std::lock_guard lock(mutex); } // who waits has looked, or sleeps by now
                 done.notify_one();
+            }
         }
     }
 
-    void take_chunks() {
+    /// First those of a thread's own share, so that it meets the data again that it wrote in the
+    /// loop before; then what is left of the others'.
+    void take_chunks(std::size_t thread) {
+        for (std::size_t i = 0; i < shares.size(); ++i)
+            take_share(*shares[(thread + i) % shares.size()]);
+    }
+
+    struct Share {
+        alignas(64) std::atomic<std::size_t> next{0};
+        std::size_t end = 0;
+    };
+    void take_share(Share& share) {
         for (;;) {
-            const std::size_t c = next.fetch_add(1, std::memory_order_relaxed);
-            if (c >= chunks)
+            const std::size_t c = share.next.fetch_add(1, std::memory_order_relaxed);
+            if (c >= share.end)
                 return;
             try {
                 (*body)(c);
@@ -86,14 +123,15 @@ struct Threads::Pool {
         }
     }
 
+    std::vector<std::unique_ptr<Share>> shares;
     std::vector<std::thread> threads;
     std::mutex mutex;
     std::condition_variable wake, done;
     const std::function<void(std::size_t)>* body = nullptr;
-    std::size_t chunks = 0, failed_chunk = 0, active = 0, round = 0;
-    std::atomic<std::size_t> next{0};
+    std::size_t failed_chunk = 0;
+    std::atomic<std::size_t> active{0}, round{0};
+    std::atomic<bool> stop{false};
     std::exception_ptr failure;
-    bool stop = false;
 };
 
 Threads::Threads(unsigned count)
