@@ -18,7 +18,8 @@ std::align_val_t alignment(std::size_t bytes) {
 void* allocate_aligned(std::size_t bytes) {
     void* memory = ::operator new(bytes, alignment(bytes));
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-    if (bytes >= 2 * kLargePage) // whole pages of it; a system without them says no, and all is well
+    if (bytes >=
+        2 * kLargePage) // whole pages of it; a system without them says no, and all is well
         madvise(memory, bytes / kLargePage * kLargePage, MADV_HUGEPAGE);
 #endif
     return memory;

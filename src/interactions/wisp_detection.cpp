@@ -137,8 +137,7 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
     for (std::size_t i = first; i < last; ++i) {
         if (i % kSegmentsPerGroup == 0)
             gather_near(points, i, std::min(last, i + kSegmentsPerGroup), found);
-        list_.first[segments_[i] + 1] =
-            static_cast<std::uint32_t>(find_points(points, i, found));
+        list_.first[segments_[i] + 1] = static_cast<std::uint32_t>(find_points(points, i, found));
         if (any_slender_ && slender(points, segments_[i]))
             find_axes(hair, points, segments_[i], found);
     }

@@ -58,8 +58,7 @@ class WispDetection {
     void find_chunk(const HairView& hair, const ContactPoints& points, std::size_t chunk);
     void gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
                      Found& found) const;
-    std::size_t find_points(const ContactPoints& points, std::size_t index,
-                            Found& found);
+    std::size_t find_points(const ContactPoints& points, std::size_t index, Found& found);
     Belongs belongs_to(const ContactPoints& points, std::uint32_t at, std::uint32_t rank) const;
     void meet(const Belongs& belongs, std::uint32_t section, std::size_t first, Found& found) const;
     bool slender(const ContactPoints& points, std::uint32_t rank) const {

@@ -327,8 +327,8 @@ TEST_CASE("a filter changes the nearest place, and equally near triangles give t
     const auto first = surface.start().nearest(p, 1);
     REQUIRE(first);
     CHECK(first->triangle == places[0].triangle);
-    const auto other =
-        surface.start().nearest_accepted(p, 1, [&](const SurfacePlace& s) { return s.closest.point.y < 0; });
+    const auto other = surface.start().nearest_accepted(
+        p, 1, [&](const SurfacePlace& s) { return s.closest.point.y < 0; });
     REQUIRE(other);
     CHECK(other->closest.point.y < 0);
     CHECK(other->closest.squared > first->closest.squared);
