@@ -6,66 +6,14 @@
 #define MANE_CHARACTER_CLOSEST_INL_H
 #endif
 
-#include "base/pack-inl.h"
+#include "base/reals-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
-using DoubleTag = hn::CappedTag<double, 8>;
-inline constexpr std::size_t kDoubleLanes = hn::MaxLanes(DoubleTag());
-
-struct DoubleMask {
-    hn::Mask<DoubleTag> m;
-};
-HWY_INLINE DoubleMask operator&(DoubleMask a, DoubleMask b) {
-    return {hn::And(a.m, b.m)};
-}
-HWY_INLINE DoubleMask operator|(DoubleMask a, DoubleMask b) {
-    return {hn::Or(a.m, b.m)};
-}
-
-struct Doubles {
-    hn::Vec<DoubleTag> v;
-    Doubles() = default;
-    HWY_INLINE Doubles(hn::Vec<DoubleTag> vector) : v(vector) {}
-    HWY_INLINE Doubles(double x) : v(hn::Set(DoubleTag(), x)) {}
-    static HWY_INLINE Doubles load(const double* p) { return hn::Load(DoubleTag(), p); }
-    HWY_INLINE void store(double* p) const { hn::Store(v, DoubleTag(), p); }
-};
-HWY_INLINE Doubles operator+(Doubles a, Doubles b) {
-    return hn::Add(a.v, b.v);
-}
-HWY_INLINE Doubles operator-(Doubles a, Doubles b) {
-    return hn::Sub(a.v, b.v);
-}
-HWY_INLINE Doubles operator*(Doubles a, Doubles b) {
-    return hn::Mul(a.v, b.v);
-}
-HWY_INLINE Doubles operator/(Doubles a, Doubles b) {
-    return hn::Div(a.v, b.v);
-}
-HWY_INLINE DoubleMask operator<=(Doubles a, Doubles b) {
-    return {hn::Le(a.v, b.v)};
-}
-HWY_INLINE DoubleMask operator>=(Doubles a, Doubles b) {
-    return {hn::Ge(a.v, b.v)};
-}
-HWY_INLINE DoubleMask operator>(Doubles a, Doubles b) {
-    return {hn::Gt(a.v, b.v)};
-}
-HWY_INLINE Doubles select(DoubleMask m, Doubles a, Doubles b) {
-    return hn::IfThenElse(m.m, a.v, b.v);
-}
-
-struct Doubles3 {
-    Doubles x, y, z;
-};
-HWY_INLINE Doubles3 operator-(Doubles3 a, Doubles3 b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-HWY_INLINE Doubles dot(Doubles3 a, Doubles3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+using Doubles = Reals<8>;
+using DoubleMask = Doubles::Mask;
+using Doubles3 = Reals3<8>;
 
 struct ClosestPoints {
     Doubles3 point, barycentric;
@@ -132,8 +80,8 @@ class Candidates {
     /// Calls use(closest, i) for each, in order; then there are none.
     template <typename Use> HWY_INLINE void evaluate(Use&& use) {
         const Doubles3 p{p_.x, p_.y, p_.z};
-        for (std::size_t first = 0; first < count_; first += kDoubleLanes) {
-            for (std::size_t i = count_; i < first + kDoubleLanes; ++i)
+        for (std::size_t first = 0; first < count_; first += Doubles::kCount) {
+            for (std::size_t i = count_; i < first + Doubles::kCount; ++i)
                 for (auto& numbers : corner_)
                     numbers[i] = numbers[first];
             const auto corner = [&](std::size_t c) -> Doubles3 {
@@ -142,7 +90,7 @@ class Candidates {
                         Doubles::load(corner_[3 * c + 2] + first)};
             };
             const ClosestPoints found = closest_on_triangles(p, corner(0), corner(1), corner(2));
-            alignas(64) double numbers[7][kDoubleLanes];
+            alignas(64) double numbers[7][Doubles::kCount];
             found.point.x.store(numbers[0]);
             found.point.y.store(numbers[1]);
             found.point.z.store(numbers[2]);
@@ -150,7 +98,7 @@ class Candidates {
             found.barycentric.y.store(numbers[4]);
             found.barycentric.z.store(numbers[5]);
             found.squared.store(numbers[6]);
-            for (std::size_t i = 0; i < kDoubleLanes && first + i < count_; ++i) {
+            for (std::size_t i = 0; i < Doubles::kCount && first + i < count_; ++i) {
                 ClosestPoint closest;
                 closest.point = {numbers[0][i], numbers[1][i], numbers[2][i]};
                 closest.barycentric = {numbers[3][i], numbers[4][i], numbers[5][i]};

@@ -109,7 +109,10 @@ std::vector<std::size_t> farthest_first(const std::vector<ScalpPoint>& from, std
             cluster.widest = *widest;
             cluster.where = static_cast<std::size_t>(widest - gap.data());
         }
-        next = std::ranges::max_element(clusters, {}, &Cluster::widest)->where;
+        const auto narrower = [](const Cluster& a, const Cluster& b) {
+            return a.widest < b.widest;
+        };
+        next = std::max_element(clusters.begin(), clusters.end(), narrower)->where;
     }
     return chosen;
 }

@@ -11,71 +11,53 @@
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
-/// Contacts of one segment, as many at a time as `D` has lanes.
-template <typename D> class MatrixLanes {
+/// Contacts of one segment, at most N at a time.
+template <std::size_t N> class MatrixLanes {
   public:
-    using R = Reals<D>;
-    using R3 = Reals3<D>;
-    static constexpr std::size_t kCount = hn::MaxLanes(D());
+    using R = Reals<N>;
+    using R3 = Reals3<N>;
 
     HWY_INLINE MatrixLanes(const ContactPoints& points, WispAnswers& answers, std::size_t slot)
         : p(points), a(answers), slot_(slot) {}
 
     /// W of a point of a section (not of an axis), but for the contact's weight; its direction.
-    HWY_INLINE void add_point(Symmetrics<D>& w, R3& direction) {
-        const auto section = whole(a.rank), place = whole(a.place);
+    HWY_INLINE void add_point(Symmetrics<N>& w, R3& direction) {
+        const std::uint32_t *section = a.rank.data() + slot_, *place = a.place.data() + slot_;
         direction = gather(p.normal, section);
         half_line_ = gather(p.half_line, place);
-        add_identity(w, gather(a.shared_across, section));
-        add_outer(w, direction, gather(a.shared_extra, section));
-        add_outer(w, half_line_, gather(a.shared_envelope, place));
+        add_identity(w, R::gather(a.shared_across.data(), section, 1));
+        add_outer(w, direction, R::gather(a.shared_extra.data(), section, 1));
+        add_outer(w, half_line_, R::gather(a.shared_envelope.data(), place, 1));
     }
 
     /// W of a segment, (1 − s)² and s² of its ends; s next to the head (docs/model.md).
-    HWY_INLINE void add_segment(Symmetrics<D>& w, const SymmetricOf<double>& near,
+    HWY_INLINE void add_segment(Symmetrics<N>& w, const SymmetricOf<double>& near,
                                 const SymmetricOf<double>& far, bool held) {
-        const R s = load(a.s), rest = R(1.0) - s;
+        const R s = R::load(a.s.data() + slot_), rest = R(1.0) - s;
         add(w, near, rest * rest);
         add(w, far, held ? s : s * s);
     }
 
-    HWY_INLINE void store(Symmetrics<D> w, const R3& point, const R3& segment) {
+    HWY_INLINE void store(Symmetrics<N> w, const R3& point, const R3& segment) {
         const R trace = w.xx + w.yy + w.zz;
-        const R drag = viscosity_of_drag(load(a.density) * R(a.friction * double{a.step}));
-        if (!hn::AllFalse(D(), hn::Gt(drag.v, hn::Zero(D()))))
+        const R drag =
+            viscosity_of_drag(R::load(a.density.data() + slot_) * R(a.friction * double{a.step}));
+        if (!(drag > R(0.0)).none())
             add_viscosity(w, point, segment, trace * R(1.0 / 3), drag, a);
-        const Symmetrics<D> m = inverse(w, trace, -load(a.weight));
+        const Symmetrics<N> m = inverse(w, trace, -R::load(a.weight.data() + slot_));
         const R3 column[3] = {{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
         for (std::size_t c = 0; c < 3; ++c)
-            hn::StoreInterleaved4(demote(column[c].x), demote(column[c].y), demote(column[c].z),
-                                  demote(dot(half_line_, column[c])), Single(),
-                                  reinterpret_cast<float*>(a.matrix[c].data() + slot_));
+            R::store_fours(column[c].x, column[c].y, column[c].z, dot(half_line_, column[c]),
+                           a.matrix[c].data() + slot_);
     }
 
     static HWY_INLINE R3 same(const Four& v) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
     HWY_INLINE void no_half_line() { half_line_ = {0.0, 0.0, 0.0}; }
 
   private:
-    using Single = hn::Rebind<float, D>;
-    using Whole = hn::Rebind<std::int32_t, D>;
-
-    HWY_INLINE R load(const AlignedVector<float>& x) const {
-        return hn::PromoteTo(D(), hn::LoadU(Single(), x.data() + slot_));
-    }
-    HWY_INLINE hn::Vec<Whole> whole(const AlignedVector<std::uint32_t>& x) const {
-        return hn::BitCast(Whole(), hn::LoadU(hn::Rebind<std::uint32_t, D>(), x.data() + slot_));
-    }
-    static HWY_INLINE hn::Vec<Single> demote(R x) { return hn::DemoteTo(Single(), x.v); }
-    static HWY_INLINE R gather(const AlignedVector<float>& x, hn::Vec<Whole> at) {
-        return hn::PromoteTo(D(), hn::GatherIndex(Single(), x.data(), at));
-    }
-    static HWY_INLINE R3 gather(const AlignedVector<Four>& x, hn::Vec<Whole> at) {
+    static HWY_INLINE R3 gather(const AlignedVector<Four>& x, const std::uint32_t* at) {
         const float* base = reinterpret_cast<const float*>(x.data());
-        const auto four = hn::ShiftLeft<2>(at);
-        const auto part = [&](int c) -> R {
-            return hn::PromoteTo(D(), hn::GatherIndex(Single(), base + c, four));
-        };
-        return {part(0), part(1), part(2)};
+        return {R::gather(base, at, 4), R::gather(base + 1, at, 4), R::gather(base + 2, at, 4)};
     }
 
     const ContactPoints& p;
@@ -99,12 +81,12 @@ struct SegmentMatrices {
     bool held;
 };
 
-template <typename D>
+template <std::size_t N>
 HWY_INLINE void find_point_matrices(const ContactPoints& p, WispAnswers& a, std::size_t rank,
                                     const SegmentMatrices& segment, std::size_t slot) {
-    MatrixLanes<D> lanes(p, a, slot);
-    Symmetrics<D> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    Reals3<D> direction;
+    MatrixLanes<N> lanes(p, a, slot);
+    Symmetrics<N> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    Reals3<N> direction;
     lanes.add_point(w, direction);
     lanes.add_segment(w, segment.near, segment.far, segment.held);
     lanes.store(w, direction, lanes.same(p.direction[rank]));
@@ -113,23 +95,19 @@ HWY_INLINE void find_point_matrices(const ContactPoints& p, WispAnswers& a, std:
 /// A contact of two axes: both sides as segments. They are few, so one at a time.
 inline void find_axis_matrix(const ContactPoints& p, WispAnswers& a, std::size_t rank,
                              const SegmentMatrices& segment, std::size_t slot) {
-    using D = hn::CappedTag<double, 1>;
     const AxisPoint& point = a.axis_points[a.place[slot] - p.places()];
     const double along = double{point.along}, rest = 1 - along;
-    MatrixLanes<D> lanes(p, a, slot);
+    MatrixLanes<1> lanes(p, a, slot);
     lanes.no_half_line();
-    Symmetrics<D> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    add<D>(w, shared_matrix(p, a, point.rank), rest * rest);
-    add<D>(w, shared_matrix(p, a, p.order.next(point.rank)),
+    Symmetrics<1> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    add<1>(w, shared_matrix(p, a, point.rank), rest * rest);
+    add<1>(w, shared_matrix(p, a, p.order.next(point.rank)),
            p.held[point.rank] ? along : along * along);
     lanes.add_segment(w, segment.near, segment.far, segment.held);
     lanes.store(w, lanes.same(p.direction[point.rank]), lanes.same(p.direction[rank]));
 }
 
 void find_matrices(const ContactPoints& p, WispAnswers& a, std::size_t first, std::size_t last) {
-    using Wide = hn::CappedTag<double, 8>;
-    using Narrow = hn::CappedTag<double, 4>;
-    constexpr std::size_t kWide = hn::MaxLanes(Wide()), kNarrow = hn::MaxLanes(Narrow());
     for (std::size_t rank = first; rank < last; ++rank) {
         if (a.first[rank] == a.first[rank + 1])
             continue;
@@ -137,10 +115,10 @@ void find_matrices(const ContactPoints& p, WispAnswers& a, std::size_t first, st
             shared_matrix(p, a, rank),
             shared_matrix(p, a, p.order.next(static_cast<std::uint32_t>(rank))), p.held[rank] != 0};
         std::size_t slot = a.first[rank];
-        for (; slot + kWide <= a.first_axis[rank]; slot += kWide)
-            find_point_matrices<Wide>(p, a, rank, segment, slot);
-        for (; slot < a.first_axis[rank]; slot += kNarrow)
-            find_point_matrices<Narrow>(p, a, rank, segment, slot);
+        for (; slot + Reals<8>::kCount <= a.first_axis[rank]; slot += Reals<8>::kCount)
+            find_point_matrices<8>(p, a, rank, segment, slot);
+        for (; slot < a.first_axis[rank]; slot += Reals<4>::kCount)
+            find_point_matrices<4>(p, a, rank, segment, slot);
         for (; slot < a.first[rank + 1] && a.weight[slot] > 0; ++slot)
             find_axis_matrix(p, a, rank, segment, slot);
     }
