@@ -131,6 +131,7 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
     found.contacts.clear();
     found.axes.clear();
     found.met.clear();
+    found.has_met.resize(points.order.size());
     found.friction = 0;
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
@@ -189,8 +190,10 @@ std::size_t WispDetection::find_points(const ContactPoints& points, std::size_t 
              .density = found.inside.density[p],
              .weight = weight_at(found.inside.depth[p])});
         found.friction += parallel;
-        meet(belongs, section, first_met_[index], found);
+        meet(belongs, section, found);
     }
+    for (std::size_t m = first_met_[index]; m < found.met.size(); ++m)
+        found.has_met[found.met[m]] = false;
     return found.contacts.size() - before;
 }
 
@@ -209,13 +212,13 @@ WispDetection::Belongs WispDetection::belongs_to(const ContactPoints& points, st
             begins && (segment + 1 < section || segment > section + 1)};
 }
 
-/// Notes the segments that a section belongs to, once each: they are few.
-void WispDetection::meet(const Belongs& belongs, std::uint32_t section, std::size_t first,
-                         Found& found) const {
+/// Notes the segments that a section belongs to, once each.
+void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& found) {
     const auto note = [&](std::uint32_t other) {
-        const auto begin = found.met.begin() + static_cast<std::ptrdiff_t>(first);
-        if (std::find(begin, found.met.end(), other) == found.met.end())
-            found.met.push_back(other);
+        if (found.has_met[other])
+            return;
+        found.has_met[other] = true;
+        found.met.push_back(other);
     };
     if (belongs.before)
         note(section - 1);
@@ -336,12 +339,11 @@ void WispDetection::count_pairs(const ContactOrder& order, std::size_t chunk) {
     for (std::size_t i = first; i < last; ++i) {
         const std::uint32_t segment = order.section(segments_[i]);
         for (const std::uint32_t other : met_by(segments_[i])) {
-            if (other < segment) {
-                const std::span<const std::uint32_t> back = met_by(order.rank(other));
-                if (std::find(back.begin(), back.end(), segment) != back.end())
-                    continue;
-            }
-            ++found.pairs;
+            bool both = false; // asked of all, several at a time
+            if (other < segment)
+                for (const std::uint32_t back : met_by(order.rank(other)))
+                    both |= back == segment;
+            found.pairs += !both;
         }
     }
 }

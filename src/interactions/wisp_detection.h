@@ -41,7 +41,8 @@ class WispDetection {
     struct Found {
         std::vector<WispContact> contacts; ///< of points
         std::vector<WispContact> axes;
-        std::vector<std::uint32_t> met; ///< by segments of now: those that have a point inside
+        std::vector<std::uint32_t> met; ///< by segment: those of which a point is inside it
+        std::vector<bool> has_met;      ///< scratch: of the present segment
         std::uint64_t friction = 0, pairs = 0;
         NearBoxes near;      ///< bunches of points near a group of segments
         NearBoxes near_axes; ///< bunches of segments near it
@@ -60,7 +61,7 @@ class WispDetection {
                      Found& found) const;
     std::size_t find_points(const ContactPoints& points, std::size_t index, Found& found);
     Belongs belongs_to(const ContactPoints& points, std::uint32_t at, std::uint32_t rank) const;
-    void meet(const Belongs& belongs, std::uint32_t section, std::size_t first, Found& found) const;
+    static void meet(const Belongs& belongs, std::uint32_t section, Found& found);
     bool slender(const ContactPoints& points, std::uint32_t rank) const {
         return points.slenderness[rank] > desc_.axis_contact_ratio;
     }
