@@ -18,18 +18,20 @@ HWY_INLINE Pack3 broadcast(const Vec3& v) {
 HWY_INLINE Mask both(Mask a, Mask b) {
     return {hn::And(a.m, b.m)};
 }
-HWY_INLINE Mask neither(Mask a, Mask b) {
-    return {hn::Not(hn::Or(a.m, b.m))};
-}
 HWY_INLINE bool none(Mask m) {
     return hn::AllFalse(Tag(), m.m);
 }
 
+HWY_INLINE Mask at_most(Pack a, Pack b) {
+    return {hn::Le(a.v, b.v)};
+}
+/// What is not a number is in no box: a state that went wrong is told at the frame's end.
 HWY_INLINE Mask in_box(const Box& box, const Pack3& p) {
-    const Mask x = neither(p.x<Pack(box.low.x), p.x> Pack(box.high.x)),
-               y = neither(p.y<Pack(box.low.y), p.y> Pack(box.high.y)),
-               z = neither(p.z<Pack(box.low.z), p.z> Pack(box.high.z));
-    return both(x, both(y, z));
+    const auto within = [](float low, Pack x, float high) {
+        return both(at_most(Pack(low), x), at_most(x, Pack(high)));
+    };
+    return both(both(within(box.low.x, p.x, box.high.x), within(box.low.y, p.y, box.high.y)),
+                within(box.low.z, p.z, box.high.z));
 }
 
 /// One end of a segment's volume.
@@ -134,13 +136,13 @@ HWY_INLINE Pack density_at(const SegmentVolume& volume, Pack s) {
 }
 
 HWY_INLINE Mask overlap(const BoxTree::Node& node, std::size_t lane, const Box& box) {
-    const Mask low = neither({hn::Or((Pack::load(node.low_x + lane) > Pack(box.high.x)).m,
-                                     (Pack::load(node.low_y + lane) > Pack(box.high.y)).m)},
-                             Pack::load(node.low_z + lane) > Pack(box.high.z));
-    const Mask high = neither({hn::Or((Pack::load(node.high_x + lane) < Pack(box.low.x)).m,
-                                      (Pack::load(node.high_y + lane) < Pack(box.low.y)).m)},
-                              Pack::load(node.high_z + lane) < Pack(box.low.z));
-    return both(low, high);
+    const auto along = [lane](const float* low, const float* high, float from, float to) {
+        return both(at_most(Pack::load(low + lane), Pack(to)),
+                    at_most(Pack(from), Pack::load(high + lane)));
+    };
+    return both(both(along(node.low_x, node.high_x, box.low.x, box.high.x),
+                     along(node.low_y, node.high_y, box.low.y, box.high.y)),
+                along(node.low_z, node.high_z, box.low.z, box.high.z));
 }
 
 /// One bit per lane.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 using namespace mane;
@@ -77,6 +78,26 @@ TEST_CASE("a tree of boxes finds exactly those that overlap, wherever they have 
             }
         }
     }
+}
+
+TEST_CASE("what is not a number overlaps nothing") {
+    constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+    for (const PointTest& test : tests_here())
+        for (std::size_t count : {1, 3, 40, 300}) { // nodes that are not full, too
+            const Vec3 nowhere{kNothing, kNothing, kNothing};
+            const std::vector<Box> boxes(count, Box{{0, 0, 0}, {1, 1, 1}}),
+                lost(count, {nowhere, nowhere});
+            BoxTree tree;
+            NearBoxes near;
+            tree.update(boxes);
+            test.gather(tree, {nowhere, nowhere}, near);
+            CHECK(near.items.empty());
+            test.gather(tree, {{0, 0, 0}, {1, kNothing, 1}}, near);
+            CHECK(near.items.empty());
+            tree.update(lost);
+            test.gather(tree, {{-1, -1, -1}, {2, 2, 2}}, near);
+            CHECK(near.items.empty());
+        }
 }
 
 namespace {
