@@ -52,10 +52,11 @@ struct Threads::Pool {
         }
         failed_chunk = chunk_count;
         failure = nullptr;
-        active.store(threads.size(), std::memory_order_relaxed);
+        open.store(true);
         announce();
         take_chunks(0);
-        wait_for(done, [this] { return active.load() == 0; });
+        open.store(false); // who has not come by now finds nothing to do; nobody waits for sleepers
+        wait_for(done, [this] { return inside.load() == 0; });
         if (failure)
             std::rethrow_exception(failure);
     }
@@ -84,11 +85,15 @@ struct Threads::Pool {
         std::size_t seen = 0;
         for (;;) {
             wait_for(wake, [&] { return round.load() != seen; });
-            ++seen;
+            seen = round.load();
             if (stop.load())
                 return;
-            take_chunks(thread);
-            if (active.fetch_sub(1) == 1) {
+            // Inside before it looks whether the loop is open, so either it sees that it is not, or
+            // who closes it sees that someone is inside.
+            inside.fetch_add(1);
+            if (open.load())
+                take_chunks(thread);
+            if (inside.fetch_sub(1) == 1) {
                 { const std::lock_guard lock(mutex); } // who waits has looked, or sleeps by now
                 done.notify_one();
             }
@@ -129,8 +134,8 @@ struct Threads::Pool {
     std::condition_variable wake, done;
     const std::function<void(std::size_t)>* body = nullptr;
     std::size_t failed_chunk = 0;
-    std::atomic<std::size_t> active{0}, round{0};
-    std::atomic<bool> stop{false};
+    std::atomic<std::size_t> inside{0}, round{0};
+    std::atomic<bool> open{false}, stop{false};
     std::exception_ptr failure;
 };
 

@@ -19,6 +19,7 @@ using namespace bench;
 std::vector<Result> measure(const std::vector<Case>& cases, std::uint32_t runs,
                             const Interrupt& interrupt) {
     std::vector<Result> results;
+    results.reserve(cases.size());
     for (const Case& c : cases)
         results.push_back({c, {}, {}});
     Progress progress(cases.size() * runs, "run");

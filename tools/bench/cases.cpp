@@ -3,6 +3,8 @@
 #include "mane/error.h"
 #include "mane/fields.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <set>
 #include <thread>
@@ -16,10 +18,10 @@ unsigned thread_count(const tool::BenchOptions& options) {
 
 /// The paper's styles at our three presets of rates, on one thread.
 void add_styles(const tool::BenchOptions& options, std::vector<Case>& cases) {
-    for (const std::string style : {"short", "medium", "long"})
-        for (const std::string rates : {"paper", "default", "fine"})
-            cases.push_back({.name = "styles/" + style + "/" + rates,
-                             .scene = options.project + "/scenes/" + style + ".toml",
+    for (const char* style : {"short", "medium", "long"})
+        for (const char* rates : {"paper", "default", "fine"})
+            cases.push_back({.name = fmt::format("styles/{}/{}", style, rates),
+                             .scene = fmt::format("{}/scenes/{}.toml", options.project, style),
                              .rates = rates});
 }
 
@@ -30,13 +32,12 @@ std::string series_scene(const tool::BenchOptions& options, const std::string& n
 /// Heads of more and more wisps, shaken, on one thread and on all.
 void add_series(const tool::BenchOptions& options, std::vector<Case>& cases) {
     const std::set<unsigned> counts{1, thread_count(options)};
-    for (const std::string width : {"wide", "slender"})
-        for (const std::string wisps : {"100", "1000", "10000"})
+    for (const char* width : {"wide", "slender"})
+        for (const char* wisps : {"100", "1000", "10000"})
             for (const unsigned threads : counts)
-                cases.push_back(
-                    {.name = "series/" + width + "-" + wisps + "/" + std::to_string(threads),
-                     .scene = series_scene(options, width + "-" + wisps),
-                     .threads = threads});
+                cases.push_back({.name = fmt::format("series/{}-{}/{}", width, wisps, threads),
+                                 .scene = series_scene(options, fmt::format("{}-{}", width, wisps)),
+                                 .threads = threads});
 }
 
 /// The same run by every instruction set, and by programs that were built in other ways.

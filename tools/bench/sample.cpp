@@ -33,6 +33,7 @@ Json median(const std::vector<Json>& runs) {
     if (!first.is_number_float())
         return first;
     std::vector<double> values;
+    values.reserve(runs.size());
     for (const Json& run : runs)
         values.push_back(run.get<double>());
     return median_of(std::move(values));

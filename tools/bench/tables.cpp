@@ -42,8 +42,8 @@ std::string number(double x) {
 }
 
 /// The number at `path`, times `factor`; empty where there is none.
-Column value(std::string head, std::string path, double factor = 1) {
-    const Json::json_pointer pointer(std::move(path));
+Column value(std::string head, const std::string& path, double factor = 1) {
+    const Json::json_pointer pointer(path);
     return {std::move(head), [=](const Json& m) {
                 return m.contains(pointer) && m[pointer].is_number()
                            ? number(factor * m[pointer].get<double>())
