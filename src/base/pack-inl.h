@@ -9,9 +9,12 @@
 #define MANE_BASE_PACK_INL_H
 #endif
 
+#include "mane/vec.h"
+
 #include <hwy/highway.h>
 
 #include <cstddef>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
@@ -56,6 +59,24 @@ HWY_INLINE Mask operator<(Pack a, Pack b) {
 }
 HWY_INLINE Mask operator>(Pack a, Pack b) {
     return {hn::Gt(a.v, b.v)};
+}
+HWY_INLINE Mask operator<=(Pack a, Pack b) {
+    return {hn::Le(a.v, b.v)};
+}
+HWY_INLINE Mask both(Mask a, Mask b) {
+    return {hn::And(a.m, b.m)};
+}
+HWY_INLINE Mask either(Mask a, Mask b) {
+    return {hn::Or(a.m, b.m)};
+}
+HWY_INLINE bool none(Mask m) {
+    return hn::AllFalse(Tag(), m.m);
+}
+/// One bit per lane.
+HWY_INLINE std::uint32_t bits_of(Mask mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(Tag(), mask.m, bytes);
+    return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
 /// Where the mask holds `a`, elsewhere `b`.
 HWY_INLINE Pack select(Mask m, Pack a, Pack b) {
@@ -131,6 +152,10 @@ struct Pack3 {
     HWY_INLINE Pack3 operator-() const { return {-x, -y, -z}; }
 };
 
+/// The same vector in all lanes.
+HWY_INLINE Pack3 broadcast(const Vec3& v) {
+    return {Pack(v.x), Pack(v.y), Pack(v.z)};
+}
 HWY_INLINE Pack3 operator+(Pack3 a, Pack3 b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }

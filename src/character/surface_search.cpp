@@ -11,15 +11,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
-HWY_INLINE std::uint32_t bits_of(Mask mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(Tag(), mask.m, bytes);
-    return bytes[0] | std::uint32_t{bytes[1]} << 8;
-}
-HWY_INLINE Mask not_over(Pack a, Pack b) {
-    return {hn::Le(a.v, b.v)};
-}
-
 /// One bit per box of a node for which test(lane) holds.
 template <typename Test> HWY_INLINE std::uint32_t boxes_with(Test&& test) {
     std::uint32_t bits = 0;
@@ -152,7 +143,7 @@ std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p,
     Candidates candidates(p);
     const auto look_into = [&](const TriangleTree::Node& node) {
         return boxes_with([&](std::size_t lane) {
-            return not_over(squared_distances(distances, node, lane), Pack(best.limit_of_boxes));
+            return squared_distances(distances, node, lane) <= Pack(best.limit_of_boxes);
         });
     };
     const auto take_all = [&] {
@@ -213,7 +204,7 @@ void within(const SearchedTriangles& in, const Vec3d& p, double radius,
         in.tree,
         [&](const TriangleTree::Node& node) {
             return boxes_with([&](std::size_t lane) {
-                return not_over(squared_distances(distances, node, lane), limit_of_boxes);
+                return squared_distances(distances, node, lane) <= limit_of_boxes;
             });
         },
         [&](std::uint32_t i) {
@@ -231,7 +222,7 @@ void along(const SearchedTriangles& in, const BoxCrossings& line, void* context,
         in.tree,
         [&](const TriangleTree::Node& node) {
             return boxes_with(
-                [&](std::size_t lane) { return not_over(apart(line, node, lane), Pack(0.f)); });
+                [&](std::size_t lane) { return apart(line, node, lane) <= Pack(0.f); });
         },
         [&](std::uint32_t i) { return visit(context, i); });
 }

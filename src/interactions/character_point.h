@@ -25,6 +25,7 @@ struct WispPoint {
     bool on_axis() const { return alpha == 0 && beta == 0; }
     /// The point of the axis that it hangs on.
     WispPoint axis() const { return {section, along, 0, 0, 0}; }
+    bool operator==(const WispPoint&) const = default;
 };
 
 /// One wisp, unpacked: what the answers to a body read and write. Indices are sections from x₀.

@@ -20,27 +20,12 @@ HWY_INLINE Pack3 linear(const Vec3& x, const Vec3& y, const Vec3& z, Pack3 p) {
             Pack(x.y) * p.x + Pack(y.y) * p.y + Pack(z.y) * p.z,
             Pack(x.z) * p.x + Pack(y.z) * p.y + Pack(z.z) * p.z};
 }
-HWY_INLINE Pack3 broadcast(const Vec3& v) {
-    return {Pack(v.x), Pack(v.y), Pack(v.z)};
-}
 HWY_INLINE Pack norm(Pack3 v) {
     return square_root(dot(v, v));
-}
-HWY_INLINE Mask both(Mask a, Mask b) {
-    return {hn::And(a.m, b.m)};
-}
-HWY_INLINE Mask either(Mask a, Mask b) {
-    return {hn::Or(a.m, b.m)};
 }
 HWY_INLINE Mask inverse(Mask a) {
     return {hn::Not(a.m)};
 }
-HWY_INLINE std::uint32_t bits_of(Mask mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(Tag(), mask.m, bytes);
-    return bytes[0] | std::uint32_t{bytes[1]} << 8;
-}
-
 /// The regions of sixteen sections, where they are at an end of the block.
 struct Located {
     Mask known, has_cap, has_ball; // a piece without the centre does not count
@@ -65,25 +50,25 @@ struct Located {
 HWY_INLINE Located located(const RegionQuestion& q, const float* row, int end) {
     const Pack frame = Pack::load(row), zero(0.f);
     const Pack3 centre = Pack3::load(row + ClearRegion::centre * kLanes),
-                normal = Pack3::load(row + ClearRegion::normal * kLanes), none{zero, zero, zero};
+                normal = Pack3::load(row + ClearRegion::normal * kLanes), blank{zero, zero, zero};
     Located found{{hn::Ge(frame.v, zero.v)},
                   {},
                   {},
-                  none,
-                  none,
+                  blank,
+                  blank,
                   Pack::load(row + ClearRegion::height * kLanes),
                   Pack::load(row + ClearRegion::radius * kLanes),
                   Pack::load(row + ClearRegion::ball * kLanes),
                   Pack::load(row + ClearRegion::far * kLanes),
                   zero,
                   zero,
-                  none,
-                  none,
-                  none,
-                  none};
+                  blank,
+                  blank,
+                  blank,
+                  blank};
     for (std::size_t f = 0; f < q.motion.size(); ++f) {
         const Mask here = {hn::Eq(frame.v, Pack(static_cast<float>(f)).v)};
-        if (hn::AllFalse(Tag(), here.m))
+        if (none(here))
             continue;
         const FrameMotion& m = q.motion[f];
         const Pack3 origin = broadcast(m.origin[end]);

@@ -20,6 +20,8 @@ struct SlidingContact {
     Vec3 normal;         ///< unit, away from the body, at the block's start
     Vec3 normal_change;  ///< over the block
     float threshold = 0; ///< [m] distance under which it answers
+
+    bool operator==(const SlidingContact&) const = default;
 };
 
 /// The answers of one wisp's contacts: a plastic impact of all of them together. Contact after

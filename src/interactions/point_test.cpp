@@ -12,23 +12,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
-HWY_INLINE Pack3 broadcast(const Vec3& v) {
-    return {Pack(v.x), Pack(v.y), Pack(v.z)};
-}
-HWY_INLINE Mask both(Mask a, Mask b) {
-    return {hn::And(a.m, b.m)};
-}
-HWY_INLINE bool none(Mask m) {
-    return hn::AllFalse(Tag(), m.m);
-}
-
-HWY_INLINE Mask at_most(Pack a, Pack b) {
-    return {hn::Le(a.v, b.v)};
-}
 /// What is not a number is in no box: a state that went wrong is told at the frame's end.
 HWY_INLINE Mask in_box(const Box& box, const Pack3& p) {
     const auto within = [](float low, Pack x, float high) {
-        return both(at_most(Pack(low), x), at_most(x, Pack(high)));
+        return both(Pack(low) <= x, x <= Pack(high));
     };
     return both(both(within(box.low.x, p.x, box.high.x), within(box.low.y, p.y, box.high.y)),
                 within(box.low.z, p.z, box.high.z));
@@ -137,20 +124,13 @@ HWY_INLINE Pack density_at(const SegmentVolume& volume, Pack s) {
 
 HWY_INLINE Mask overlap(const BoxTree::Node& node, std::size_t lane, const Box& box) {
     const auto along = [lane](const float* low, const float* high, float from, float to) {
-        return both(at_most(Pack::load(low + lane), Pack(to)),
-                    at_most(Pack(from), Pack::load(high + lane)));
+        return both(Pack::load(low + lane) <= Pack(to), Pack(from) <= Pack::load(high + lane));
     };
     return both(both(along(node.low_x, node.high_x, box.low.x, box.high.x),
                      along(node.low_y, node.high_y, box.low.y, box.high.y)),
                 along(node.low_z, node.high_z, box.low.z, box.high.z));
 }
 
-/// One bit per lane.
-HWY_INLINE std::uint32_t bits_of(Mask mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(Tag(), mask.m, bytes);
-    return bytes[0] | std::uint32_t{bytes[1]} << 8;
-}
 HWY_INLINE std::uint32_t children_in(const BoxTree::Node& node, const Box& box) {
     std::uint32_t bits = 0;
     for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes)
@@ -347,13 +327,13 @@ HWY_INLINE Mask parallel(const ParallelLimits& limits, std::size_t i, Pack sine,
 }
 
 void classify(const ContactPoints& points, std::uint32_t rank, const ParallelLimits& limits,
-              PointsInside& found, std::size_t first) {
+              PointsInside& found) {
     const std::uint32_t next = points.order.next(rank);
     const Pack3 axis = broadcast(first_three(points.direction[rank])),
                 near = broadcast(first_three(points.velocity[points.place(rank)])),
                 far = broadcast(first_three(points.velocity[points.place(next)]));
     const hn::RebindToUnsigned<Tag> whole;
-    for (std::size_t i = first; i < found.count; i += kPackLanes) {
+    for (std::size_t i = 0; i < found.count; i += kPackLanes) {
         const auto real = hn::FirstN(Whole(), found.count - i);
         const auto point = hn::IfThenElseZero(
             real,

@@ -60,9 +60,9 @@ struct PointTest {
     /// for its own two sections', in the order of bunches, codes and ranks.
     void (*find)(const ContactPoints& points, std::uint32_t rank,
                  std::span<const std::uint32_t> bunches, PointsInside& found);
-    /// Tells which of them, from `first` on, are quasi-parallel to it.
+    /// Tells which of them are quasi-parallel to it.
     void (*classify)(const ContactPoints& points, std::uint32_t rank, const ParallelLimits& limits,
-                     PointsInside& found, std::size_t first);
+                     PointsInside& found);
     /// The segments of a bunch, one bit per rank, whose boxes overlap that of the segment at
     /// `rank`, and whose directions differ from its own by an angle of at least `least_sine`.
     std::uint32_t (*crossing)(const ContactPoints& points, const BoxTree::Node& boxes,

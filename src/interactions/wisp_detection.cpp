@@ -167,7 +167,7 @@ std::size_t WispDetection::find_points(const ContactPoints& points, std::size_t 
         point_test_.among(found.near, segment_box(points, rank), found.bunches.data());
     found.inside.count = 0;
     point_test_.find(points, rank, {found.bunches.data(), bunches}, found.inside);
-    point_test_.classify(points, rank, limits_, found.inside, 0);
+    point_test_.classify(points, rank, limits_, found.inside);
 
     const std::size_t before = found.contacts.size();
     first_met_[index] = static_cast<std::uint32_t>(found.met.size());

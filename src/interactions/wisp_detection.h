@@ -1,10 +1,8 @@
 #pragma once
 
-#include "base/bins.h"
 #include "base/parallel_for.h"
 #include "interactions/contact_list.h"
 #include "interactions/point_test.h"
-
 #include "mane/desc.h"
 #include "model/ablation.h"
 

@@ -134,14 +134,6 @@ std::vector<std::uint32_t> rising() {
     return order;
 }
 
-bool same(const SlidingContact& a, const SlidingContact& b) {
-    return a.point.section == b.point.section && a.point.along == b.point.along &&
-           a.point.k == b.point.k && a.point.alpha == b.point.alpha &&
-           a.point.beta == b.point.beta && a.body == b.body && a.triangle == b.triangle &&
-           a.anchor == b.anchor && a.anchor_change == b.anchor_change && a.normal == b.normal &&
-           a.normal_change == b.normal_change && a.threshold == b.threshold;
-}
-
 /// How many contacts of the wisp called `name` are not the same in both runs.
 std::size_t differences(const Run& a, std::uint32_t w, const Run& b, std::uint32_t v) {
     const auto of_a = a.contacts.of_wisp(w), of_b = b.contacts.of_wisp(v);
@@ -149,7 +141,7 @@ std::size_t differences(const Run& a, std::uint32_t w, const Run& b, std::uint32
         return std::max(of_a.size(), of_b.size());
     std::size_t count = 0;
     for (std::size_t c = 0; c < of_a.size(); ++c)
-        count += !same(of_a[c], of_b[c]);
+        count += !(of_a[c] == of_b[c]);
     return count;
 }
 

@@ -23,14 +23,6 @@ namespace {
 
 using namespace mane;
 
-bool same(const SlidingContact& a, const SlidingContact& b) {
-    return a.point.section == b.point.section && a.point.along == b.point.along &&
-           a.point.k == b.point.k && a.point.alpha == b.point.alpha &&
-           a.point.beta == b.point.beta && a.body == b.body && a.triangle == b.triangle &&
-           a.anchor == b.anchor && a.anchor_change == b.anchor_change && a.normal == b.normal &&
-           a.normal_change == b.normal_change && a.threshold == b.threshold;
-}
-
 bool same(const Rows& a, const Rows& b) {
     return std::equal(a.all().begin(), a.all().end(), b.all().begin(), b.all().end());
 }
@@ -166,8 +158,7 @@ class Pair {
         for (std::size_t w = 0; w < runs_[0].groom.wisp_count(); ++w) {
             const auto a = runs_[0].character_contacts.of_wisp(w),
                        b = runs_[1].character_contacts.of_wisp(w);
-            if (!std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                            [](const auto& x, const auto& y) { return same(x, y); }))
+            if (!std::equal(a.begin(), a.end(), b.begin(), b.end()))
                 return false;
         }
         return true;
