@@ -73,9 +73,27 @@ class World {
 
     /// Simulates until the next frame. Throws SimulationError when the state becomes non-finite.
     void advance();
-    /// The hair now.
+    /// When the next frame will be [s]: where a host leads a `DrivenMotion` to.
+    double next_time() const;
+
+    /// Other parameters from now on: all that the table of fields calls live. Hair and contacts
+    /// stay as they are and answer to the new ones; the same ones again change no bit. Throws
+    /// InputError, and then changes nothing, for values that no step can work with, for steps that
+    /// would be unstable (M37) and for a fixed field that differs (seed, frames, preroll).
+    void change(const SimulationDesc& desc);
+    /// The parameters now.
+    const SimulationDesc& desc() const;
+
+    /// Follows a jump of the first body's motion, such as `DrivenBust::jump`: brings the hair from
+    /// where the head was at this frame to where its motion has it now, rigidly, at the velocities
+    /// that it has relative to the head, and looks for contacts with bodies anew. Without a jump no
+    /// bit changes. Throws InputError, and then changes nothing, for a pose that is not finite.
+    void teleport();
+
+    /// The hair now. This is the world's own frame: its addresses stay the same, and valid, as long
+    /// as the world lives; what stands there changes with `advance` and `teleport`.
     const Frame& frame() const;
-    /// Vertices of a body now [m], relative to the frame's origin.
+    /// Vertices of a body now [m], relative to the frame's origin; the world's own, likewise.
     const std::vector<Vec3>& body_vertices(std::size_t body) const;
 
     /// All contacts that are engaged now, wisps' before bodies', each in the order of their

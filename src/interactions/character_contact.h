@@ -61,6 +61,9 @@ class CharacterContacts {
     std::uint64_t react(const HairView& hair, std::span<const ContactBody> bodies,
                         const CharacterContactDesc& desc, State& state, Threads& threads);
 
+    /// As if nothing had been looked for yet: hair or bodies are elsewhere at once.
+    void forget();
+
     std::span<const SlidingContact> of_wisp(std::size_t wisp) const { return contacts_[wisp]; }
     std::uint64_t count() const;
     /// Adds the sliding contacts with their impulses of the last step.

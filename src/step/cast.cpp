@@ -95,8 +95,8 @@ std::vector<std::string> Cast::names() const {
 }
 
 Vec3d Cast::on_head(const Vec3d& rest, double time) const {
-    const BonePose& head = bones_at(0, time)[bodies_[0].head_bone];
-    return head.rotation.rotate(rest) + head.position;
+    const BonePose pose = head(time);
+    return pose.rotation.rotate(rest) + pose.position;
 }
 
 Vec3d Cast::carried_like(std::size_t vertex, const Vec3d& rest, double time) const {

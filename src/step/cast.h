@@ -31,6 +31,8 @@ class Cast {
     std::vector<ContactBody> contact_bodies() const;
     std::vector<std::string> names() const;
 
+    /// The first body's head at `time`.
+    BonePose head(double time) const { return bones_at(0, time)[bodies_[0].head_bone]; }
     /// World position [m] at `time` of a point fixed to the first body's head, given in its rest
     /// pose.
     Vec3d on_head(const Vec3d& rest, double time) const;

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "mane/world.h"
+#include "step/cast.h"
+#include "step/simulation.h"
+
+namespace mane {
+
+/// A world: its simulation, the bodies that it acts with, and where it is in time.
+struct World::Data {
+    Data(const SimulationDesc& desc, const Groom& groom, std::vector<Body> bodies,
+         double start_time, const RunOptions& options);
+
+    void advance();
+    void change(const SimulationDesc& desc);
+    void teleport();
+    double next_time() const { return step_time(steps_done() + simulation.schedule.steps()); }
+
+    Simulation simulation;
+    Cast cast;
+    Vec3d head_middle; ///< middle of the roots, in the first body's rest pose
+    Frame frame;
+
+  private:
+    /// From where on time is counted in steps of the present length, so that nothing adds up.
+    struct Epoch {
+        double time = 0; ///< [s]
+        std::uint32_t frame = 0;
+    };
+
+    std::uint64_t steps_done() const {
+        return std::uint64_t{frame.index - epoch_.frame} * simulation.schedule.steps();
+    }
+    /// Time [s] at the beginning of a step of the epoch.
+    double step_time(std::uint64_t step) const {
+        return epoch_.time + static_cast<double>(step) * simulation.schedule.step_seconds();
+    }
+    Vec3d middle_of_roots() const;
+    Vec3d nearby_origin(double time) const;
+    void follow_head(double time);
+    void enter_block(double time, double seconds);
+    void follow_roots(int end);
+    void place_roots(double time);
+    void carry_hair(const BonePose& from, const BonePose& to);
+    void publish();
+    void check_finite() const;
+
+    Epoch epoch_;
+    BonePose head_; ///< the first body's, at the frame
+};
+
+} // namespace mane
