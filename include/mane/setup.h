@@ -3,12 +3,15 @@
 #include "mane/body.h"
 #include "mane/groom.h"
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace mane {
 
 struct SceneDesc;
+struct MotionDesc;
 
 /// What a run is made of and what stays the same over all its frames.
 struct RunSetup {
@@ -22,5 +25,12 @@ struct RunSetup {
 /// Reads the files that a scene names, makes the bodies with their motions and grows the hair.
 /// Throws InputError.
 RunSetup prepare(const SceneDesc& scene);
+
+/// One bone that follows a bone of another motion: a hat on its head.
+std::shared_ptr<const Motion> following_motion(std::shared_ptr<const Motion> leader,
+                                               std::uint32_t bone);
+/// The motion of a bust's bones that a scene describes; null if it is to stay still. Throws
+/// InputError.
+std::shared_ptr<const Motion> make_motion(const MotionDesc& desc);
 
 } // namespace mane

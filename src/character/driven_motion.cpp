@@ -12,9 +12,9 @@ struct DrivenMotion::Data {
         LedPoint point; // the pivot's
         LedTurn turn;
 
-        Way led(const Pose& to, double time, const Stretch& stretch) const {
-            return {pivot, point.led(to.rotation.rotate(pivot) + to.position, time, stretch),
-                    turn.led(to.rotation, time, stretch)};
+        Way led(const Pose& to, double time, const Stretch& now) const {
+            return {pivot, point.led(to.rotation.rotate(pivot) + to.position, time, now),
+                    turn.led(to.rotation, time, now)};
         }
     };
     Stretch stretch;
