@@ -43,6 +43,7 @@ const kVertices = 32, // of a strand
     kFewest = 400, // strands, however slow the machine
     kMostPasses = 12,
     kSmoothPasses = 8, // at least, or edges would show steps
+    kWidestLine = 1.6, // [pixels] of a strand that is drawn as a line; wider ones are ribbons
     kWidest = 3; // [pixels] of a strand while everything moves
 const kClay: Vec3 = [0.52, 0.37, 0.3],
     kObstacle: Vec3 = [0.42, 0.45, 0.48];
@@ -335,13 +336,15 @@ export class HairView {
         this.bindFrame();
         gl.enable(gl.DEPTH_TEST);
         gl.disable(gl.BLEND);
-        this.strands.draw(first, count, vertices, {
+        const ribbons = wider * this.strandPixels() > kWidestLine;
+        this.strands.draw(first, count, vertices, ribbons, {
             ...this.viewUniforms(),
             ...this.lightUniforms(),
             ...this.envelopeUniforms(),
             uWidth: [desc.rootWidth * width, desc.tipWidth * width],
             uColour: look.colour,
             uByWisp: look.colourByWisp,
+            uPass: this.pass,
         });
     }
 

@@ -3,8 +3,9 @@ import { drawingOrder, layOutStrands } from "../hair/strand_layout";
 import { makeRecipes, type StrandRecipes } from "../hair/strand_recipes";
 import { hasWavesOrCurls, StrandWaves, wavesAmplitude } from "../hair/strand_waves";
 import { bindTextures, createBuffer, Program, RecordTexture, Unit, type GL } from "./gl";
-import radianceFragment from "./radiance.frag.glsl";
+import discardFragment from "./discard.frag.glsl";
 import strandPointsVertex from "./strand_points.vert.glsl";
+import strandsFragment from "./strands.frag.glsl";
 import strandsVertex from "./strands.vert.glsl";
 
 type Uniforms = Record<string, number | boolean | readonly number[] | Float32Array | Int32Array>;
@@ -25,7 +26,7 @@ export class StrandLayer {
     private desc: StrandDesc | null = null;
 
     constructor(private readonly gl: GL) {
-        this.program = new Program(gl, strandsVertex, radianceFragment);
+        this.program = new Program(gl, strandsVertex, strandsFragment);
         this.shares = new RecordTexture(gl, gl.RGBA16UI, gl.RGBA_INTEGER, gl.UNSIGNED_SHORT, 11);
         this.waveTexture = new RecordTexture(gl, gl.RGBA32F, gl.RGBA, gl.FLOAT, 10);
         this.array = gl.createVertexArray()!;
@@ -55,14 +56,15 @@ export class StrandLayer {
         if (this.waves) this.waveTexture.upload(this.waves.at(frame));
     }
 
-    /** Draws the strands in slots first … first + count − 1 with `vertices` places each. */
-    draw(first: number, count: number, vertices: number, uniforms: Uniforms): void {
+    /** Draws the strands in slots first … first + count − 1 with `vertices` places each, as ribbons or as lines of a pixel. */
+    draw(first: number, count: number, vertices: number, ribbons: boolean, uniforms: Uniforms): void {
         const gl = this.gl;
         this.bind();
-        this.program.use({ ...this.uniforms(), ...uniforms, uVertices: vertices, uRoughness: 0.32, uTilt: 0.05 });
+        this.program.use({ ...this.uniforms(), ...uniforms, uVertices: vertices, uRibbon: ribbons, uRoughness: 0.32, uTilt: 0.05 });
         gl.bindVertexArray(this.array);
         this.pointAttributes(first, 1);
-        gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 2 * vertices, count);
+        if (ribbons) gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 2 * vertices, count);
+        else gl.drawArraysInstanced(gl.LINE_STRIP, 0, vertices, count);
         gl.bindVertexArray(null);
     }
 
@@ -82,9 +84,7 @@ export class StrandLayer {
         gl.bindBuffer(gl.TRANSFORM_FEEDBACK_BUFFER, null);
         const array = gl.createVertexArray();
         const feedback = gl.createTransformFeedback();
-        const program = new Program(gl, strandPointsVertex, radianceFragment.replace("in vec3 vRadiance;", "const vec3 vRadiance = vec3(0.0);"), [
-            "vPosition",
-        ]);
+        const program = new Program(gl, strandPointsVertex, discardFragment, ["vPosition"]);
         this.bind();
         program.use({ ...this.uniforms(), ...uniforms });
         gl.bindVertexArray(array);

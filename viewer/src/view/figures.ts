@@ -2,8 +2,9 @@ import { Plot, type Curve } from "../ui/plot";
 import { kContactKinds, type ContactKind } from "./contacts";
 import type { Run } from "./run";
 
-/** By kind of contact, as in theme.css. */
+/** By kind of contact. */
 export const kContactColours = ["#6fb3d2", "#e2725b", "#9bc27e", "#d07fd6"] as const;
+const kLegend = ["friction", "collision", "sliding", "penetration"];
 const kStages: [name: string, colour: string][] = [
     ["forces", "#e0a458"],
     ["wisp detection", "#6fb3d2"],
@@ -25,7 +26,7 @@ export function headPlots(run: Run, seek: (frame: number) => void): Plot[] {
     };
     const record = "Simulate with `mane simulate SCENE.toml -o FILE.mane --record` and write the page again.";
     const contacts: Curve[] = run.contacts
-        ? kContactKinds.map((name, kind) => ({ name, values: run.contacts!.counts(kind as ContactKind), colour: kContactColours[kind] }))
+        ? kContactKinds.map((_, kind) => ({ name: kLegend[kind], values: run.contacts!.counts(kind as ContactKind), colour: kContactColours[kind] }))
         : [];
     return [
         new Plot({

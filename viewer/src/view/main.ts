@@ -3,6 +3,7 @@ import { add, subtract } from "../draw/matrix";
 import { pickWisp } from "../hair/pick";
 import { button, choice, toggle } from "../ui/controls";
 import { element } from "../ui/dom";
+import { icon } from "../ui/icons";
 import { aim, headYaw, kViews, look as lookFrom } from "../ui/focus";
 import { HairPanel, kLayers } from "../ui/hair_panel";
 import { showMessage } from "../ui/message";
@@ -15,7 +16,7 @@ import { Player } from "./player";
 import { Run } from "./run";
 import { WispPanel } from "./wisp_panel";
 
-const kStillBudget = 150, // [ms] of one part of a still picture
+const kStillBudget = 400, // [ms] of one part of a still picture
     kMovingBudget = 40, // of a picture while things move
     kSettle = 250; // [ms] after the camera moved, until the picture is a still one
 const kSpeeds: [string, number][] = [["⅒", 0.1], ["¼", 0.25], ["½", 0.5], ["1×", 1], ["2×", 2]];
@@ -57,7 +58,7 @@ class ViewPage {
         this.plots = headPlots(run, (frame) => this.seek(frame));
         this.scrub = element("input", { type: "range", min: "0", max: String(run.frames - 1), step: "1", "aria-label": "frame", title: "frame (← →)" });
         this.scrub.addEventListener("input", () => this.seek(Number(this.scrub.value)));
-        this.playButton = button("▶", "play or pause", () => this.togglePlay(), "Space");
+        this.playButton = button(icon("play"), "play or pause", () => this.togglePlay(), "Space");
         this.playButton.classList.add("play");
 
         orbitControls(canvas, this.view.camera, () => this.cameraMoved(), (x, y) => this.selectWisp(this.wispAt(x, y)));
@@ -110,10 +111,11 @@ class ViewPage {
             element("div", { id: "transport" },
                 element("div", { class: "row" },
                     this.playButton,
-                    button("⏮", "one frame back", () => this.step(-1), "←"),
-                    button("⏭", "one frame on", () => this.step(1), "→"),
+                    button(icon("back"), "one frame back", () => this.step(-1), "←"),
+                    button(icon("on"), "one frame on", () => this.step(1), "→"),
+                    this.clock,
                 ),
-                element("div", { class: "scrub" }, this.scrub, this.clock, speed.root, loop.root, showPlots.root),
+                element("div", { class: "scrub" }, this.scrub, speed.root, loop.root, showPlots.root),
             ),
             plots,
         );
@@ -153,7 +155,7 @@ class ViewPage {
         this.showPlaying();
     }
     private showPlaying(): void {
-        this.playButton.textContent = this.player.playing ? "❚❚" : "▶";
+        this.playButton.replaceChildren(icon(this.player.playing ? "pause" : "play"));
     }
 
     selectWisp(wisp: number): void {
