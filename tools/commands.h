@@ -73,6 +73,11 @@ struct PictureOptions {
 };
 int picture(const PictureOptions& options);
 
+struct ViewOptions {
+    std::string file, output;
+};
+int view(const ViewOptions& options);
+
 struct CheckOptions {
     std::string file;
     bool json = false;

@@ -17,6 +17,7 @@ constexpr const char* kExamples = R"(Examples:
   mane compare long.mane stiff.mane
   mane extract long.mane --frame 100 -o long.hair
   mane picture long.mane --frame 0 60 120 --view face profile back -o long.png
+  mane view long.mane -o long.html
   mane info long.mane
   mane bench --only styles --runs 3
   mane help scene skeleton
@@ -149,6 +150,18 @@ void add_picture(CLI::App& app, Run& run) {
 }
 #endif
 
+void add_view(CLI::App& app, Run& run) {
+    static ViewOptions o;
+    CLI::App* command = app.add_subcommand(
+        "view", "A page that plays a cache in a browser: one file, opened without a network");
+    command->add_option("FILE", o.file, "cache; with `simulate --record` it knows the contacts")
+        ->required();
+    command->add_option("-o,--output", o.output, "page to write")
+        ->required()
+        ->type_name("PAGE.html");
+    command->callback([&run] { run = [] { return view(o); }; });
+}
+
 void add_bench(CLI::App& app, Run& run) {
     static BenchOptions o;
     CLI::App* command = app.add_subcommand(
@@ -202,6 +215,7 @@ int run_command(int argc, char** argv) {
 #ifdef MANE_HAS_PICTURE
     add_picture(app, run);
 #endif
+    add_view(app, run);
     add_bench(app, run);
     add_help(app, run);
     try {

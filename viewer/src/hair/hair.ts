@@ -57,7 +57,7 @@ export interface HairFrame {
     bodies: BonePoses[]; // a body without bones stays in its rest pose
 }
 
-export const sectionCount = (hair: Hair): number => hair.firstSection[hair.wisps]!;
+export const sectionCount = (hair: Hair): number => hair.firstSection[hair.wisps];
 
 /** The wisp that owns a section. */
 export function wispOfSection(hair: Hair, section: number): number {
@@ -65,7 +65,7 @@ export function wispOfSection(hair: Hair, section: number): number {
         high = hair.wisps;
     while (low + 1 < high) {
         const middle = (low + high) >> 1;
-        if (hair.firstSection[middle]! <= section) low = middle;
+        if (hair.firstSection[middle] <= section) low = middle;
         else high = middle;
     }
     return low;

@@ -1,0 +1,129 @@
+#include "formats/page_contacts.h"
+
+#include "mane/cache.h"
+#include "mane/contact.h"
+#include "mane/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mane {
+namespace {
+
+/// [1] Octaves of strength are told apart in as many steps: 1 % each way.
+constexpr float kStepsPerOctave = 32;
+constexpr float kWeakest = 60; // octaves under 1 N·s; what is weaker counts as none
+
+/// 0 for none, else steps above the weakest.
+std::uint32_t strength_steps(float strength) {
+    if (!(strength > 0))
+        return 0;
+    const float steps = std::round((std::log2(strength) + kWeakest) * kStepsPerOctave);
+    return steps < 1 ? 0 : static_cast<std::uint32_t>(steps);
+}
+
+/// A unit vector as a point of the octahedron's unfolded surface, 8 bits each way: 0.5°.
+std::array<std::uint32_t, 2> octahedral(const Vec3& v) {
+    const float sum = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+    if (sum == 0)
+        return {127, 127};
+    float x = v.x / sum, y = v.y / sum;
+    if (v.z < 0) {
+        const float folded = (1 - std::abs(y)) * (x < 0 ? -1.f : 1.f);
+        y = (1 - std::abs(x)) * (y < 0 ? -1.f : 1.f);
+        x = folded;
+    }
+    const auto bits = [](float c) {
+        return static_cast<std::uint32_t>(std::round((c * 0.5f + 0.5f) * 254));
+    };
+    return {bits(x), bits(y)};
+}
+
+std::uint32_t share_in_steps(float share) {
+    return static_cast<std::uint32_t>(std::round(std::clamp(share, 0.f, 1.f) * 255));
+}
+
+/// A table's columns by their names.
+class Table {
+  public:
+    Table(std::vector<Column> columns, std::size_t frame)
+        : columns_(std::move(columns)), frame_(frame) {}
+    bool empty() const { return columns_.empty(); }
+    template <typename T> const std::vector<T>& get(std::string_view name) const {
+        for (const Column& column : columns_)
+            if (column.name == name)
+                if (const auto* values = std::get_if<std::vector<T>>(&column.values))
+                    return *values;
+        throw InputError("the contacts of frame " + std::to_string(frame_) + " have no column " +
+                         std::string(name));
+    }
+
+  private:
+    std::vector<Column> columns_;
+    std::size_t frame_;
+};
+
+/// The columns that a page reads.
+struct Columns {
+    std::vector<std::uint32_t> count; // per frame
+    std::vector<std::uint32_t> kind, point, section, along, other, other_along, body;
+    std::vector<std::uint32_t> strength, direction_x, direction_y;
+
+    void add_frame(const Table& table) {
+        const auto& sections = table.get<std::uint32_t>("section");
+        count.push_back(static_cast<std::uint32_t>(sections.size()));
+        const auto take = [&](std::vector<std::uint32_t>& out, const char* name) {
+            const auto& values = table.get<std::uint32_t>(name);
+            out.insert(out.end(), values.begin(), values.end());
+        };
+        take(kind, "kind");
+        take(point, "point");
+        take(other, "other");
+        take(body, "body");
+        std::uint32_t before = 0; // they come in the order of sections, wisps' before bodies'
+        for (const std::uint32_t s : sections) {
+            section.push_back(s - before);
+            before = s;
+        }
+        for (const float x : table.get<float>("along"))
+            along.push_back(share_in_steps(x));
+        for (const float x : table.get<float>("other_along"))
+            other_along.push_back(share_in_steps(x));
+        const auto &x = table.get<float>("impulse_x"), &y = table.get<float>("impulse_y"),
+                   &z = table.get<float>("impulse_z");
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const Vec3 impulse{x[i], y[i], z[i]};
+            const auto [u, v] = octahedral(impulse);
+            strength.push_back(strength_steps(length(impulse)));
+            direction_x.push_back(u);
+            direction_y.push_back(v);
+        }
+    }
+};
+
+} // namespace
+
+void add_contacts(const CacheReader& run, PagePayload& payload) {
+    Columns columns;
+    for (std::size_t i = 0; i < run.frame_count(); ++i) {
+        const Table table(run.table("CONT", static_cast<std::uint32_t>(i)), i);
+        if (table.empty())
+            return; // the run was not recorded, or not to its end
+        columns.add_frame(table);
+    }
+    payload.header()["contacts"] = {{"strength_steps_per_octave", kStepsPerOctave},
+                                    {"weakest_octave", -kWeakest}};
+    payload.add_planes("contact.count", columns.count);
+    payload.add_planes("contact.kind", columns.kind);
+    payload.add_planes("contact.point", columns.point);
+    payload.add_planes("contact.section", columns.section);
+    payload.add_planes("contact.along", columns.along);
+    payload.add_planes("contact.other", columns.other);
+    payload.add_planes("contact.other_along", columns.other_along);
+    payload.add_planes("contact.body", columns.body);
+    payload.add_planes("contact.strength", columns.strength);
+    payload.add_planes("contact.direction_x", columns.direction_x);
+    payload.add_planes("contact.direction_y", columns.direction_y);
+}
+
+} // namespace mane

@@ -1,0 +1,22 @@
+/** Keys and what they do, for the window and for a list to read. */
+export interface Shortcut {
+    keys: string[]; // as KeyboardEvent.key names them
+    label: string;
+    does: () => void;
+}
+
+/** Keys go to a control that takes text or that they move, as everywhere. */
+const takesKeys = (target: EventTarget | null): boolean =>
+    target instanceof HTMLElement && (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName) ||
+        (target instanceof HTMLInputElement && target.type !== "range" && target.type !== "color"));
+
+export function listenForShortcuts(shortcuts: readonly Shortcut[]): void {
+    window.addEventListener("keydown", (e) => {
+        if (e.ctrlKey || e.metaKey || e.altKey || takesKeys(e.target)) return;
+        const found = shortcuts.find((s) => s.keys.includes(e.key.length === 1 ? e.key.toLowerCase() : e.key));
+        if (!found) return;
+        e.preventDefault();
+        if (e.target instanceof HTMLElement && e.target.tagName === "BUTTON") e.target.blur();
+        found.does();
+    });
+}
