@@ -51,6 +51,10 @@ Cast::Cast(std::vector<Body> bodies) : bodies_(std::move(bodies)), posed_(bodies
     }
 }
 
+std::size_t Cast::bones(std::size_t b) const {
+    return bone_count(bodies_[b]);
+}
+
 std::span<const BonePose> Cast::bones_at(std::size_t b, double time) const {
     bones_.assign(bone_count(bodies_[b]), BonePose{});
     if (bodies_[b].motion)

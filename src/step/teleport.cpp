@@ -45,6 +45,15 @@ void World::Data::carry_hair(const BonePose& from, const BonePose& to) {
     simulation.origin = next;
 }
 
+/// Places in the world go along; those on bones are where the bones are now.
+void World::Data::carry_pins(const BonePose& from, const BonePose& to) {
+    for (Pinned& pinned : pins_) {
+        if (!pinned.pin.body)
+            pinned.pin.place = Carrier{from, to}.position(*pinned.pin.place);
+        begin_pin(pinned);
+    }
+}
+
 void World::Data::teleport() {
     const BonePose head = cast.head(frame.time);
     if (!is_finite(head))
@@ -53,6 +62,7 @@ void World::Data::teleport() {
     if (head == head_)
         return;
     carry_hair(head_, head);
+    carry_pins(head_, head);
     place_roots(frame.time);
     // What wisps do to each other goes along with them; how they lie on bodies is looked for anew.
     simulation.character_contacts.forget();

@@ -2,6 +2,7 @@
 
 #include "base/hash.h"
 #include "step/check_desc.h"
+#include "step/check_groom.h"
 #include "step/world_data.h"
 
 #include <string>
@@ -11,27 +12,6 @@ namespace {
 
 constexpr const char* kStageNames[] = {"forces", "wisp detection", "character detection",
                                        "velocities", "positions"};
-
-void check_fit(const Groom& groom, const std::vector<Body>& bodies) {
-    if (bodies.empty())
-        throw InputError("a world without bodies; expected at least the one that wears the hair");
-    if (groom.wisp_count() == 0)
-        throw InputError("a groom of 0 wisps; expected at least 1");
-    if (groom.envelope_points < 3 || groom.envelope_points > kMaxEnvelopePoints)
-        throw InputError("a groom with " + std::to_string(groom.envelope_points) +
-                         " envelope points; expected 3 to " + std::to_string(kMaxEnvelopePoints));
-    const std::size_t triangles = bodies[0].mesh.triangles.size();
-    for (std::size_t w = 0; w < groom.wisp_count(); ++w) {
-        if (groom.roots[w].triangle >= triangles)
-            throw InputError("wisp " + std::to_string(w) + " is rooted in triangle " +
-                             std::to_string(groom.roots[w].triangle) +
-                             "; expected one of the wearer's " + std::to_string(triangles));
-        if (groom.sections(w) < 3)
-            throw InputError("wisp " + std::to_string(w) + " has " +
-                             std::to_string(groom.sections(w)) +
-                             " sections; expected at least 3: two on the head and a tip");
-    }
-}
 
 } // namespace
 
@@ -47,7 +27,9 @@ const char* stage_name(Stage stage) {
 World::World(const SimulationDesc& desc, const Groom& groom, std::vector<Body> bodies,
              double start_time, const RunOptions& options) {
     check_desc(desc);
-    check_fit(groom, bodies);
+    if (bodies.empty())
+        throw InputError("a world without bodies; expected at least the one that wears the hair");
+    check_groom(groom, bodies[0].mesh);
     data_ = std::make_unique<Data>(desc, groom, std::move(bodies), start_time, options);
 }
 World::~World() = default;
@@ -59,6 +41,27 @@ void World::advance() {
 }
 void World::change(const SimulationDesc& desc) {
     data_->change(desc);
+}
+void World::change(const Groom& groom) {
+    data_->change(data_->simulation.desc, groom);
+}
+void World::change(const SimulationDesc& desc, const Groom& groom) {
+    data_->change(desc, groom);
+}
+void World::pin(const Pin& pin) {
+    data_->pin(pin);
+}
+void World::release(std::uint32_t section) {
+    data_->release(section);
+}
+std::vector<Pin> World::pins() const {
+    return data_->pins();
+}
+std::size_t World::body_count() const {
+    return data_->cast.count();
+}
+const Body& World::body(std::size_t body) const {
+    return data_->cast.body(body);
 }
 const SimulationDesc& World::desc() const {
     return data_->simulation.desc;

@@ -88,12 +88,19 @@ void World::Data::advance() {
     follow_head(step_time(first_step));
     for (std::uint32_t b = 0; b < schedule.blocks(); ++b) {
         const std::uint32_t begin = schedule.block_begin(b), end = schedule.block_begin(b + 1);
-        enter_block(step_time(first_step + begin), (end - begin) * schedule.step_seconds());
+        const double seconds = (end - begin) * schedule.step_seconds();
+        const auto part = [&](std::uint32_t s) {
+            return static_cast<double>(s) / schedule.steps();
+        };
+        enter_block(step_time(first_step + begin), seconds);
+        if (!simulation.held.empty())
+            lead_held(step_time(first_step + begin), seconds, part(begin), part(end));
         StepPlace place{
             .index = 0, .steps = end - begin, .detects_wisps = schedule.detects_wisps(b)};
         for (; place.index < place.steps; ++place.index)
             step(simulation, place, step_time(first_step + begin + place.index));
     }
+    simulation.held.radii.clear(); // they have arrived
     ++frame.index;
     publish();
     check_finite();

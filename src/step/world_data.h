@@ -12,8 +12,12 @@ struct World::Data {
          double start_time, const RunOptions& options);
 
     void advance();
-    void change(const SimulationDesc& desc);
+    void change(const SimulationDesc& desc) { change(desc, nullptr); }
+    void change(const SimulationDesc& desc, const Groom& groom) { change(desc, &groom); }
     void teleport();
+    void pin(const Pin& pin);
+    void release(std::uint32_t section);
+    std::vector<Pin> pins() const;
     double next_time() const { return step_time(steps_done() + simulation.schedule.steps()); }
 
     Simulation simulation;
@@ -26,6 +30,16 @@ struct World::Data {
     struct Epoch {
         double time = 0; ///< [s]
         std::uint32_t frame = 0;
+    };
+
+    /// A pinned section goes to its place by and by: beside it by an offset that falls to nothing.
+    struct Pinned {
+        Pin pin;                   ///< its place given
+        double begun = 0;          ///< [s]
+        Vec3d offset, offset_rate; ///< [m], [m/s] then
+    };
+    struct Moving {
+        Vec3d position, velocity; ///< [m], [m/s] in the world
     };
 
     std::uint64_t steps_done() const {
@@ -42,11 +56,20 @@ struct World::Data {
     void follow_roots(int end);
     void place_roots(double time);
     void carry_hair(const BonePose& from, const BonePose& to);
+    void change(const SimulationDesc& desc, const Groom* groom);
+    void take_groom(Groom&& groom, RestRows&& rest);
+    Pin checked(const Pin& pin) const;
+    Moving target(const Pin& pin, double time) const;
+    void begin_pin(Pinned& pinned) const;
+    Moving on_the_way(const Pinned& pinned, double time) const;
+    void lead_held(double time, double seconds, double begin, double end);
+    void carry_pins(const BonePose& from, const BonePose& to);
     void publish();
     void check_finite() const;
 
     Epoch epoch_;
-    BonePose head_; ///< the first body's, at the frame
+    BonePose head_;            ///< the first body's, at the frame
+    std::vector<Pinned> pins_; ///< one per point of `simulation.held`
 };
 
 } // namespace mane
