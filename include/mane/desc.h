@@ -105,6 +105,7 @@ struct StrandDesc {
     float length_jitter = 0.1f;   ///< [1] largest share by which a strand is shortened
     float waves = 0;              ///< [1] waves along a strand
     float wave_amplitude = 0;     ///< [1] amplitude at rest, relative to the wisp's radius
+    float curls = 0;              ///< [1] turns that the strands of a wisp make inside it, from x₁ to its tip
     float root_width = 80e-6f;    ///< [m] a strand's diameter at the root
     float tip_width = 30e-6f;     ///< [m] a strand's diameter at the tip
 };

@@ -10,27 +10,39 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace mane {
 
-/// Layer 3 (§3.4, §5.2): the strands of one frame, a pure function of (groom, frame, desc, seed,
-/// strand number). Nothing is stored per strand; any strand of any frame can be made alone, in
-/// parallel, with the same bits (M15).
+/// How strands are drawn; changes no result.
+struct StrandOptions {
+    unsigned threads = 1;             ///< 0: as many as the machine has
+    std::string instruction_set = {}; ///< "": the best of the machine; else as in `RunOptions`
+};
+
+/// Layer 3 (§3.4, §5.2): the strands of a groom, a pure function of (groom, frame, desc, seed,
+/// strand number). Any strand of any frame can be made alone, in parallel, with the same bits
+/// (M15).
 ///
 /// Strands are numbered wisp after wisp; `desc.count` strands are spread over the wisps in
 /// proportion to `groom.strands`. A strand begins at x₀, inside the head, so that it comes out of
 /// the skin and not out of the air above it; its vertex `outside_vertex()` is in the cross-section
-/// of x₁, from where on it shows. All strands of a wisp have as many vertices.
+/// of x₁, from where on it shows. A wisp's strands have vertices at the same places along it, each
+/// up to its own end, where its last one is. Which and how many they are does not change from
+/// frame to frame.
 class StrandShape {
   public:
-    /// Copies what it needs. Throws InputError for a frame that does not fit the groom, or no
-    /// samples.
-    StrandShape(const Groom& groom, const Frame& frame, const StrandDesc& desc, std::uint32_t seed,
-                std::uint32_t samples_per_segment = 4);
+    /// Makes the strands' recipes: all that no frame changes. Copies what it needs. Throws
+    /// InputError for no samples or a wisp of fewer than three sections.
+    StrandShape(const Groom& groom, const StrandDesc& desc, std::uint32_t seed,
+                std::uint32_t samples_per_segment = 4, const StrandOptions& options = {});
     ~StrandShape();
     StrandShape(StrandShape&&) noexcept;
     StrandShape& operator=(StrandShape&&) noexcept;
+
+    /// The frame to draw from now on. Throws InputError for one that does not fit the groom.
+    void pose(const Frame& frame);
 
     std::size_t strand_count() const;
     /// Vertices of all strands.
@@ -44,13 +56,16 @@ class StrandShape {
 
     /// Fills the vertices of the strands first … first + count − 1, one after the other:
     /// `positions` [m] relative to the frame's origin, `widths` [m] diameters; both have
-    /// first_vertex(first + count) − first_vertex(first) entries.
+    /// first_vertex(first + count) − first_vertex(first) entries. May be called by several threads
+    /// at once. Throws InputError for other sizes, or when nothing has been posed.
     void fill(std::size_t first, std::size_t count, std::span<Vec3> positions,
               std::span<float> widths) const;
+    /// The same for all strands, on the threads of the options; by one caller at a time.
+    void fill(std::span<Vec3> positions, std::span<float> widths) const;
 
   private:
     struct Data;
-    std::unique_ptr<const Data> data_;
+    std::unique_ptr<Data> data_;
 };
 
 /// The drawn envelope of one wisp, to judge strands by (M17): from a point to its place, in

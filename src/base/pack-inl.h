@@ -34,6 +34,9 @@ struct Pack {
     HWY_INLINE Pack(float x) : v(hn::Set(Tag(), x)) {}
     static HWY_INLINE Pack load(const float* p) { return hn::Load(Tag(), p); }
     HWY_INLINE void store(float* p) const { hn::Store(v, Tag(), p); }
+    /// Wherever `p` points.
+    static HWY_INLINE Pack load_any(const float* p) { return hn::LoadU(Tag(), p); }
+    HWY_INLINE void store_any(float* p) const { hn::StoreU(v, Tag(), p); }
     HWY_INLINE Pack operator-() const { return hn::Neg(v); }
 };
 
@@ -179,6 +182,42 @@ HWY_INLINE Pack3 select_or_zero(Mask m, Pack3 a) {
 }
 HWY_INLINE Pack3 without_tiny(Pack3 a) {
     return {without_tiny(a.x), without_tiny(a.y), without_tiny(a.z)};
+}
+
+/// Writes x, y, z of one lane after the other.
+HWY_INLINE void store_interleaved(const Pack3& p, float* to) {
+    hn::StoreInterleaved3(p.x.v, p.y.v, p.z.v, Tag(), to);
+}
+
+/// The whole part of numbers from 0 to 2³¹.
+HWY_INLINE Pack whole_part(Pack a) {
+    return hn::Floor(a.v);
+}
+
+/// Where the lanes look in a table: `whole` numbers, which may lie in any of the vectors that hold
+/// it.
+struct Places {
+    Pack whole;
+    decltype(hn::IndicesFromVec(Tag(), hn::Zero(hn::RebindToSigned<Tag>()))) in_vector;
+};
+HWY_INLINE Places places(Pack whole) {
+    const hn::RebindToSigned<Tag> i;
+    const auto lane = hn::And(hn::ConvertTo(i, whole.v), hn::Set(i, int{kPackLanes - 1}));
+    return {whole, hn::IndicesFromVec(Tag(), lane)};
+}
+/// How many vectors hold a table of `entries`.
+HWY_INLINE std::size_t tables_for(std::size_t entries) {
+    return (entries + kPackLanes - 1) / kPackLanes;
+}
+/// table[place] in each lane. All of the `vectors` are read, whatever is looked up.
+HWY_INLINE Pack look_up(const float* table, std::size_t vectors, const Places& place) {
+    Pack found = hn::TableLookupLanes(Pack::load_any(table).v, place.in_vector);
+    for (std::size_t n = 1; n < vectors; ++n) {
+        const Pack next =
+            hn::TableLookupLanes(Pack::load_any(table + n * kPackLanes).v, place.in_vector);
+        found = select(place.whole < Pack(static_cast<float>(n * kPackLanes)), found, next);
+    }
+    return found;
 }
 
 /// x to the power p for x > 0, relative error under 3e-6 for results between 1e-3 and 1e3.

@@ -27,29 +27,34 @@ std::string in_millimetres(double depth) {
     return text;
 }
 
+/// The strands of the scene, as many as are asked for.
+StrandDesc looked_at(const RunView& run) {
+    StrandDesc desc = run.strands;
+    desc.count = run.options.strands;
+    return desc;
+}
+
 /// What shows. M33: strand vertices from x₁ on that are deep inside a body. M17: strand vertices
 /// stay inside the drawn envelope.
 class StrandJudge final : public Judge {
   public:
     explicit StrandJudge(const RunView& run)
-        : run_(run), desc_(run.strands), deep_(run.groom.wisp_count()) {
-        desc_.count = run.options.strands;
+        : run_(run), shape_(run.groom, looked_at(run), run.simulation.seed, kSamples),
+          positions_(shape_.vertex_count()), widths_(shape_.vertex_count()),
+          deep_(run.groom.wisp_count()) {
+        remember_parameters();
     }
 
     void see(const FrameView& view) override {
-        const StrandShape shape(run_.groom, view.frame, desc_, run_.simulation.seed, kSamples);
-        positions_.resize(shape.vertex_count());
-        widths_.resize(shape.vertex_count());
-        shape.fill(0, shape.strand_count(), positions_, widths_);
-        if (parameter_.empty())
-            remember_parameters(shape);
+        shape_.pose(view.frame);
+        shape_.fill(positions_, widths_);
 
         std::vector<Deep> deep(deep_.size()); // per wisp
         std::uint64_t vertices = 0;
-        for (std::size_t strand = 0; strand < shape.strand_count(); ++strand) {
-            const std::uint32_t wisp = shape.wisp(strand);
-            const std::size_t begin = shape.first_vertex(strand) + shape.outside_vertex(),
-                              end = shape.first_vertex(strand + 1);
+        for (std::size_t strand = 0; strand < shape_.strand_count(); ++strand) {
+            const std::uint32_t wisp = shape_.wisp(strand);
+            const std::size_t begin = shape_.first_vertex(strand) + shape_.outside_vertex(),
+                              end = shape_.first_vertex(strand + 1);
             for (std::size_t v = begin; v < end; ++v)
                 see_vertex(view, wisp, v, deep[wisp]);
             vertices += end - begin;
@@ -84,11 +89,11 @@ class StrandJudge final : public Judge {
 
   private:
     /// Where a strand's vertices are along it is the same in every frame.
-    void remember_parameters(const StrandShape& shape) {
-        for (std::size_t strand = 0; strand < shape.strand_count(); ++strand) {
-            const std::size_t count = shape.first_vertex(strand + 1) - shape.first_vertex(strand);
+    void remember_parameters() {
+        for (std::size_t strand = 0; strand < shape_.strand_count(); ++strand) {
+            const std::size_t count = shape_.first_vertex(strand + 1) - shape_.first_vertex(strand);
             for (std::uint32_t v = 0; v < count; ++v)
-                parameter_.push_back(shape.parameter(strand, v));
+                parameter_.push_back(shape_.parameter(strand, v));
         }
     }
 
@@ -131,7 +136,7 @@ class StrandJudge final : public Judge {
     }
 
     const RunView& run_;
-    StrandDesc desc_;
+    StrandShape shape_;
     std::vector<Vec3> positions_;
     std::vector<float> widths_;
     std::vector<float> parameter_; // per vertex of all strands

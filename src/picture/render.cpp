@@ -57,7 +57,7 @@ class Scene {
         case PictureLayer::strands: {
             StrandDesc drawn = strands;
             drawn.count = std::min(desc.strands, strands.count);
-            const StrandShape shape(groom, frame, drawn, seed);
+            const StrandShape shape(groom, drawn, seed);
             for (std::size_t s = 0; s < shape.strand_count(); ++s)
                 wisp_of_.push_back(shape.wisp(s));
             shading = make_strands(groom, frame, drawn, seed, kSamples, desc.threads);

@@ -133,6 +133,8 @@ std::vector<Field> scene_table() {
             "waves along a strand"),
         strands.field<&StrandDesc::wave_amplitude>("wave_amplitude", "1", share, live,
             "amplitude of the waves at rest, relative to the wisp's radius"),
+        strands.field<&StrandDesc::curls>("curls", "1", {-100, 100}, live,
+            "turns that the strands of a wisp make inside it, from the scalp to its tip"),
         strands.field<&StrandDesc::root_width>("root_width", "m", {1e-6, 0.01}, live,
             "a strand's diameter at the root"),
         strands.field<&StrandDesc::tip_width>("tip_width", "m", {0, 0.01}, live,

@@ -1,31 +1,24 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 namespace mane {
 
-/// One piece of a Catmull-Rom curve in powers of t, 0 ≤ t ≤ 1: exact at its first control point.
-/// `V` is a number or a vector.
-template <typename V> struct CatmullRom {
-    V c0{}, c1{}, c2{}, c3{};
+/// The shares of four neighbouring control points in a Catmull-Rom curve, at `t` from the second
+/// (0) to the third (1).
+struct CatmullRomWeights {
+    float of[4];
 
-    CatmullRom() = default;
-    /// The piece from `b` to `c`; `a` and `d` are their neighbours.
-    CatmullRom(const V& a, const V& b, const V& c, const V& d)
-        : c0(b), c1((c - a) * 0.5f), c2(a - b * 2.5f + c * 2.0f - d * 0.5f),
-          c3((b - c) * 1.5f + (d - a) * 0.5f) {}
-
-    V at(float t) const { return c0 + (c1 + (c2 + c3 * t) * t) * t; }
+    explicit CatmullRomWeights(float t) {
+        const float squared = t * t, cubed = squared * t;
+        of[0] = squared - 0.5f * (t + cubed);
+        of[1] = 1 + (1.5f * cubed - 2.5f * squared);
+        of[2] = 0.5f * t + (2 * squared - 1.5f * cubed);
+        of[3] = 0.5f * (cubed - squared);
+    }
+    /// The curve through `points[0]` … `points[3]`.
+    float at(const float* points) const {
+        return points[0] * of[0] + points[1] * of[1] + points[2] * of[2] + points[3] * of[3];
+    }
 };
-
-/// Piece `i` of the curve through `points(0) … points(last)`, with the end points duplicated
-/// (§5.2).
-template <typename Points>
-auto catmull_rom_piece(const Points& points, std::size_t i, std::size_t last) {
-    const std::size_t before = i == 0 ? 0 : i - 1, after = i + 2 > last ? last : i + 2;
-    return CatmullRom(points(before), points(i), points(i + 1), points(after));
-}
 
 /// How far a Catmull-Rom curve through values that spread over `spread` passes beyond the largest:
 /// the two outer of its four weights are at least −1/16 each, in the middle.

@@ -13,6 +13,13 @@ void need_samples(std::uint32_t samples) {
         throw InputError("layers need at least 1 sample per segment, found 0");
 }
 
+DrawnEnvelope posed_envelope(const Groom& groom, const Frame& frame) {
+    DrawnEnvelope envelope(groom);
+    Threads alone(1);
+    envelope.pose(frame, alone);
+    return envelope;
+}
+
 struct Place {
     std::uint32_t piece;
     float t;
@@ -34,7 +41,7 @@ float mean_diameter(const Groom& groom, const Frame& frame, std::size_t section)
 
 Curves skeleton_curves(const Groom& groom, const Frame& frame, std::uint32_t samples_per_segment) {
     need_samples(samples_per_segment);
-    const DrawnEnvelope envelope(groom, frame);
+    const DrawnEnvelope envelope = posed_envelope(groom, frame);
     Curves curves;
     for (std::size_t w = 0; w < groom.wisp_count(); ++w) {
         curves.first_vertex.push_back(static_cast<std::uint32_t>(curves.position.size()));
@@ -57,7 +64,7 @@ Mesh envelope_mesh(const Groom& groom, const Frame& frame, std::uint32_t samples
     need_samples(samples_per_segment);
     if (points_round < 3)
         throw InputError("an envelope's mesh needs at least 3 points round a section");
-    const DrawnEnvelope envelope(groom, frame);
+    const DrawnEnvelope envelope = posed_envelope(groom, frame);
     std::vector<DiscPoint> round;
     for (std::uint32_t j = 0; j < points_round; ++j) {
         const double angle = 2 * kPi * j / points_round;

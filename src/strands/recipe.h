@@ -1,14 +1,15 @@
 #pragma once
 
-#include "base/random.h"
+#include "base/aligned.h"
+#include "base/parallel_for.h"
 #include "mane/desc.h"
-#include "strands/catmull_rom.h"
+#include "strands/designed_length.h"
 #include "strands/drawn_envelope.h"
 #include "strands/strand_layout.h"
+#include "strands/vertex_grid.h"
 #include "strands/waves.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace mane {
@@ -16,32 +17,37 @@ namespace mane {
 /// The order in which a strand takes its random numbers.
 enum StrandNumber : std::uint64_t { kPlace, kPlaceAngle, kLength, kPhase, kFirstJitter };
 
-/// One strand's own recipe: its place in the disc, and what it moves away from it.
-struct StrandRecipe {
-    DiscPoint place;
-    float end = 0;   ///< p where it ends, shortened
-    float phase = 0; ///< [rad] its own part of the waves' phase
-    std::vector<CatmullRom<float>>
-        share; ///< per segment: what jitter leaves of its distance from the skeleton
-};
+/// Every strand's own recipe: everything random about it, and nothing that a frame changes. Columns
+/// with an entry per strand; any of them may be read kPadding entries too far.
+struct StrandRecipes {
+    static constexpr std::size_t kPadding = 16;
+    template <typename T> using Column = AlignedVector<T>;
 
-/// Makes recipes: everything random about strands, and nothing that a frame changes but where it
-/// samples.
-class StrandRecipes {
-  public:
-    StrandRecipes(const Groom& groom, const StrandDesc& desc, std::uint32_t seed,
-                  float wave_amplitude);
-    /// The recipe of strand `strand` of wisp `wisp`, in place of what `recipe` holds.
-    void make(std::size_t wisp, std::size_t strand, StrandRecipe& recipe) const;
+    StrandRecipes(const StrandDesc& desc, std::uint32_t seed, const StrandLayout& layout,
+                  const DesignedLength& designed, const DrawnEnvelope& envelope, const Waves& waves,
+                  const VertexGrid& grid, Threads& threads);
 
-  private:
-    float designed_end(std::size_t wisp, float share) const;
+    /// Whether waves or curls move a strand's place in the disc along it.
+    bool moving;
+    /// Whether there is jitter.
+    bool jittered;
 
-    StrandDesc desc_;
-    std::uint32_t seed_;
-    float disc_radius_;
-    std::vector<std::uint32_t> first_section_;
-    std::vector<float> arc_; // [m] per section: designed length from x₁ on
+    /// Where the strand stands in the disc: x and y; where nothing moves it, α and β in the sector
+    /// that begins with half line `sector`.
+    Column<float> first, second;
+    Column<std::uint32_t> sector;
+    Column<float> phase_cosine, phase_sine; ///< of its own part of the waves' phase
+
+    Column<float> end;                      ///< p
+    Column<float> end_piece, end_weight[4]; ///< its whole part, and the Catmull-Rom curves there
+    Column<float> end_x, end_y; ///< place in the disc there, jitter and curls counted, waves not
+    Column<float> end_wave;     ///< sine of the waves' phase there
+    Column<std::size_t> vertex; ///< index of its first; and one entry behind the last strand
+
+    /// What jitter leaves of the distance from the skeleton in each section: pieces + 3 entries per
+    /// strand, the first and the last section's twice.
+    Column<float> left;
+    Column<std::size_t> first_left; ///< per wisp, of its first strand's
 };
 
 } // namespace mane

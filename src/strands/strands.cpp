@@ -1,134 +1,235 @@
 #include "mane/strands.h"
 
-#include "base/parallel_for.h"
-#include "strands/drawn_envelope.h"
+#include "base/functions.h"
+#include "mane/error.h"
+#include "strands/draw_strands.h"
 #include "strands/recipe.h"
-#include "strands/strand_layout.h"
-#include "strands/waves.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 namespace mane {
+namespace {
+
+constexpr std::size_t kStrandsPerChunk = 512; // some 40 µs
+
+/// Segments of the longest wisp.
+std::uint32_t most_pieces(const DesignedLength& designed) {
+    std::uint32_t most = 1;
+    for (std::size_t w = 0; w < designed.wisp_count(); ++w)
+        most = std::max(most, designed.pieces(w));
+    return most;
+}
+
+/// What turns or waves strands along their wisp, at the vertices of every wisp's grid: sines and
+/// cosines, which no frame changes.
+class GridAngles {
+  public:
+    template <typename Angle>
+    GridAngles(const DesignedLength& designed, const VertexGrid& grid, Angle&& angle) {
+        for (std::size_t w = 0; w < designed.wisp_count(); ++w) {
+            first_.push_back(cosine_.size());
+            const std::uint32_t vertices = grid.vertices(designed.pieces(w));
+            for (std::uint32_t v = 0; v < vertices; ++v) {
+                const std::uint32_t piece = std::min(v / grid.samples(), designed.pieces(w) - 1);
+                const float t = grid.parameter()[v] - static_cast<float>(piece);
+                const double a = angle(w, double{designed.to(w, piece, t)});
+                cosine_.push_back(static_cast<float>(mane::cosine(a)));
+                sine_.push_back(static_cast<float>(mane::sine(a)));
+            }
+        }
+        cosine_.resize(cosine_.size() + StrandRecipes::kPadding);
+        sine_.resize(cosine_.size());
+    }
+    const float* cosine(std::size_t wisp) const { return cosine_.data() + first_[wisp]; }
+    const float* sine(std::size_t wisp) const { return sine_.data() + first_[wisp]; }
+
+  private:
+    std::vector<std::size_t> first_;
+    std::vector<float> cosine_, sine_;
+};
+
+/// What is worked out for one wisp, kept from wisp to wisp.
+struct Scratch {
+    GridRows rows;
+    AlignedVector<float> wave_sine, wave_cosine; // per vertex of the grid
+    AlignedVector<float> end_amplitude;          // per strand of the wisp
+};
+
+} // namespace
 
 struct StrandShape::Data {
-    Data(const Groom& groom, const Frame& frame, const StrandDesc& d, std::uint32_t seed,
-         std::uint32_t samples)
-        : desc(d), layout(groom, d.count, samples), envelope(groom, frame),
-          waves(groom, frame, d, seed), recipes(groom, d, seed, waves.amplitude()) {}
-
-    // Vertex x₁ is at p = 1 in every strand, so that one number tells which vertices show (M33);
-    // behind it the samples share what the strand has.
-    float parameter(std::uint32_t vertices, std::uint32_t vertex, float end) const {
-        const std::uint32_t outside = layout.samples();
-        if (vertex <= outside)
-            return static_cast<float>(vertex) / static_cast<float>(outside);
-        if (vertex + 1 == vertices)
-            return end;
-        return 1 + (end - 1) * static_cast<float>(vertex - outside) /
-                       static_cast<float>(vertices - 1 - outside);
+    Data(const Groom& groom, const StrandDesc& d, std::uint32_t seed, std::uint32_t samples,
+         unsigned count, const std::string& instruction_set)
+        : threads(count), desc(d), layout(groom, d.count), designed(groom),
+          grid(samples, most_pieces(designed)), envelope(groom), waves(designed, d, seed),
+          recipes(d, seed, layout, designed, envelope, waves, grid, threads),
+          kernels(strand_kernels(instruction_set)) {
+        if (waves.amplitude() > 0)
+            wave_angles.emplace(designed, grid, [&](std::size_t w, double length) {
+                return waves.phase(w, length);
+            });
+        if (desc.curls != 0)
+            curl_angles.emplace(designed, grid, [&](std::size_t w, double length) {
+                return designed.turn(w, double{desc.curls}, length);
+            });
     }
 
-    // The control points are those of §5.2, the disc's point moved toward the skeleton by jitter
-    // and linked by Catmull-Rom. What is interpolated is the share that jitter leaves, in the
-    // interpolated section, and not the moved points: the same curve where neighbouring half lines
-    // are equal, but the overshoot stays jitter/8 of the local radius beside a section that is
-    // pressed flat, where interpolated points would leave the envelope (M17).
-    Vec3 point(std::size_t wisp, const StrandRecipe& recipe, float p) const {
-        const std::uint32_t piece =
-            std::min(static_cast<std::uint32_t>(p), envelope.pieces(wisp) - 1);
-        const float t = p - static_cast<float>(piece);
-        const float share = recipe.share[piece].at(t);
-        DiscPoint disc{recipe.place.x * share, recipe.place.y * share};
-        if (waves.amplitude() > 0) {
-            const DiscPoint wave = waves.at(wisp, piece, t, recipe.phase);
-            disc = {disc.x + wave.x, disc.y + wave.y};
+    void pose(const Frame& frame) {
+        envelope.pose(frame, threads);
+        waves.pose(designed, frame);
+        posed = true;
+    }
+
+    /// Throws InputError unless there are these strands, and room for their vertices.
+    void expect(std::size_t first, std::size_t count, std::size_t positions,
+                std::size_t widths) const {
+        if (!posed)
+            throw InputError("strands are drawn before their first frame; pose them first");
+        const std::size_t strands = layout.strand_count();
+        if (first > strands || count > strands - first)
+            throw InputError("strands from " + std::to_string(first) + " on, found " +
+                             std::to_string(count) + " of them, expected at most " +
+                             std::to_string(strands - std::min(first, strands)));
+        const std::size_t vertices = recipes.vertex[first + count] - recipes.vertex[first];
+        for (const auto& [what, found] : {std::pair("positions", positions), {"widths", widths}})
+            if (found != vertices)
+                throw InputError("strands: found room for " + std::to_string(found) + " " + what +
+                                 ", expected " + std::to_string(vertices));
+    }
+
+    void fill(std::size_t first, std::size_t last, Vec3* positions, float* widths) const {
+        Scratch scratch;
+        const std::size_t vertex = recipes.vertex[first];
+        for (std::size_t w = layout.wisp_of(first); first < last; ++w) {
+            const std::size_t behind = std::min(last, layout.first_strand(w + 1));
+            if (first == behind)
+                continue;
+            const WispToDraw wisp = to_draw(w, first, behind, scratch);
+            kernels.lay_grid(wisp, scratch.rows);
+            const std::size_t begin = recipes.vertex[first] - vertex;
+            kernels.draw(wisp, scratch.rows, first, behind - first, positions + begin,
+                         widths + begin);
+            first = behind;
         }
-        return envelope.at(wisp, piece, t, disc);
     }
 
-    void draw(std::size_t wisp, const StrandRecipe& recipe, std::span<Vec3> positions,
-              std::span<float> widths) const {
-        const std::uint32_t vertices = layout.wisp(wisp).vertices;
-        const float thinner = (desc.tip_width - desc.root_width) / static_cast<float>(vertices - 1);
-        for (std::uint32_t i = 0; i < vertices; ++i) {
-            positions[i] = point(wisp, recipe, parameter(vertices, i, recipe.end));
-            widths[i] = desc.root_width + thinner * static_cast<float>(i);
+    WispToDraw to_draw(std::size_t w, std::size_t first, std::size_t behind,
+                       Scratch& scratch) const {
+        WispToDraw wisp{.envelope = envelope,
+                        .recipes = recipes,
+                        .grid = grid,
+                        .wisp = w,
+                        .first_strand = layout.first_strand(w),
+                        .root_width = desc.root_width,
+                        .tip_width = desc.tip_width};
+        if (wave_angles) {
+            measure_waves(w, first, behind, scratch);
+            wisp.wave_direction = waves.direction(w);
+            wisp.wave_sine = scratch.wave_sine.data();
+            wisp.wave_cosine = scratch.wave_cosine.data();
+            wisp.end_amplitude = scratch.end_amplitude.data();
         }
+        if (curl_angles) {
+            wisp.curl_cosine = curl_angles->cosine(w);
+            wisp.curl_sine = curl_angles->sine(w);
+        }
+        return wisp;
     }
 
+    /// The waves of wisp `w` now: along its grid, and at the ends of strands `first` … `behind`
+    /// − 1.
+    void measure_waves(std::size_t w, std::size_t first, std::size_t behind,
+                       Scratch& scratch) const {
+        const std::uint32_t pieces = designed.pieces(w), vertices = grid.vertices(pieces);
+        const auto amplitude_at = [&](float p) {
+            const std::uint32_t piece = std::min(static_cast<std::uint32_t>(p), pieces - 1);
+            return waves.amplitude(w, piece, p - static_cast<float>(piece));
+        };
+        scratch.wave_sine.resize(vertices + StrandRecipes::kPadding);
+        scratch.wave_cosine.resize(vertices + StrandRecipes::kPadding);
+        for (std::uint32_t v = 0; v < vertices; ++v) {
+            const float amplitude = amplitude_at(grid.parameter()[v]);
+            scratch.wave_sine[v] = amplitude * wave_angles->sine(w)[v];
+            scratch.wave_cosine[v] = amplitude * wave_angles->cosine(w)[v];
+        }
+        scratch.end_amplitude.resize(behind - first + StrandRecipes::kPadding);
+        for (std::size_t n = first; n < behind; ++n)
+            scratch.end_amplitude[n - first] = amplitude_at(recipes.end[n]);
+    }
+
+    mutable Threads threads;
     StrandDesc desc;
     StrandLayout layout;
+    DesignedLength designed;
+    VertexGrid grid;
     DrawnEnvelope envelope;
     Waves waves;
     StrandRecipes recipes;
+    StrandKernels kernels;
+    std::optional<GridAngles> wave_angles, curl_angles;
+    bool posed = false;
 };
 
-StrandShape::StrandShape(const Groom& groom, const Frame& frame, const StrandDesc& desc,
-                         std::uint32_t seed, std::uint32_t samples_per_segment)
-    : data_(std::make_unique<Data>(groom, frame, desc, seed, samples_per_segment)) {}
+StrandShape::StrandShape(const Groom& groom, const StrandDesc& desc, std::uint32_t seed,
+                         std::uint32_t samples_per_segment, const StrandOptions& options)
+    : data_(std::make_unique<Data>(groom, desc, seed, samples_per_segment, options.threads,
+                                   options.instruction_set)) {}
 StrandShape::~StrandShape() = default;
 StrandShape::StrandShape(StrandShape&&) noexcept = default;
 StrandShape& StrandShape::operator=(StrandShape&&) noexcept = default;
+
+void StrandShape::pose(const Frame& frame) {
+    data_->pose(frame);
+}
 
 std::size_t StrandShape::strand_count() const {
     return data_->layout.strand_count();
 }
 std::size_t StrandShape::vertex_count() const {
-    return data_->layout.vertex_count();
+    return data_->recipes.vertex[strand_count()];
 }
 std::size_t StrandShape::first_vertex(std::size_t strand) const {
-    return data_->layout.first_vertex(strand);
+    return data_->recipes.vertex[strand];
 }
 std::uint32_t StrandShape::wisp(std::size_t strand) const {
     return static_cast<std::uint32_t>(data_->layout.wisp_of(strand));
 }
 std::uint32_t StrandShape::outside_vertex() const {
-    return data_->layout.samples();
+    return data_->grid.samples();
 }
-
 float StrandShape::parameter(std::size_t strand, std::uint32_t vertex) const {
-    const std::size_t w = data_->layout.wisp_of(strand);
-    StrandRecipe recipe;
-    data_->recipes.make(w, strand - data_->layout.wisp(w).first_strand, recipe);
-    return data_->parameter(data_->layout.wisp(w).vertices, vertex, recipe.end);
+    const bool last = first_vertex(strand) + vertex + 1 == first_vertex(strand + 1);
+    return last ? data_->recipes.end[strand] : data_->grid.parameter()[vertex];
 }
 
 void StrandShape::fill(std::size_t first, std::size_t count, std::span<Vec3> positions,
                        std::span<float> widths) const {
-    if (count == 0)
-        return;
-    StrandRecipe recipe;
-    std::size_t w = data_->layout.wisp_of(first), vertex = 0;
-    for (std::size_t s = first; s < first + count; ++s) {
-        while (s >= data_->layout.wisp(w + 1).first_strand)
-            ++w;
-        const StrandLayout::Wisp& wisp = data_->layout.wisp(w);
-        data_->recipes.make(w, s - wisp.first_strand, recipe);
-        data_->draw(w, recipe, positions.subspan(vertex, wisp.vertices),
-                    widths.subspan(vertex, wisp.vertices));
-        vertex += wisp.vertices;
-    }
+    data_->expect(first, count, positions.size(), widths.size());
+    data_->fill(first, first + count, positions.data(), widths.data());
+}
+
+void StrandShape::fill(std::span<Vec3> positions, std::span<float> widths) const {
+    data_->expect(0, strand_count(), positions.size(), widths.size());
+    const auto some = [&](std::size_t first, std::size_t last) {
+        const std::size_t begin = first_vertex(first);
+        data_->fill(first, last, positions.data() + begin, widths.data() + begin);
+    };
+    data_->threads.run_ranges(strand_count(), kStrandsPerChunk, some);
 }
 
 Curves make_strands(const Groom& groom, const Frame& frame, const StrandDesc& desc,
                     std::uint32_t seed, std::uint32_t samples_per_segment, unsigned threads) {
-    const StrandShape shape(groom, frame, desc, seed, samples_per_segment);
-    const std::size_t strands = shape.strand_count();
+    StrandShape shape(groom, desc, seed, samples_per_segment, {.threads = threads});
+    shape.pose(frame);
     Curves curves;
-    curves.first_vertex.resize(strands + 1);
-    for (std::size_t s = 0; s <= strands; ++s)
+    curves.first_vertex.resize(shape.strand_count() + 1);
+    for (std::size_t s = 0; s <= shape.strand_count(); ++s)
         curves.first_vertex[s] = static_cast<std::uint32_t>(shape.first_vertex(s));
     curves.position.resize(shape.vertex_count());
     curves.width.resize(shape.vertex_count());
-
-    constexpr std::size_t kChunk = 512; // strands: about 100 µs
-    Threads(threads).run((strands + kChunk - 1) / kChunk, [&](std::size_t c) {
-        const std::size_t first = c * kChunk, count = std::min(kChunk, strands - first);
-        const std::size_t begin = curves.first_vertex[first],
-                          size = curves.first_vertex[first + count] - begin;
-        shape.fill(first, count, std::span(curves.position).subspan(begin, size),
-                   std::span(curves.width).subspan(begin, size));
-    });
+    shape.fill(curves.position, curves.width);
     return curves;
 }
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "base/random.h"
 #include "mane/desc.h"
 #include "mane/frame.h"
-#include "mane/groom.h"
+#include "strands/designed_length.h"
 #include "strands/place.h"
 
 #include <cstdint>
@@ -11,7 +10,7 @@
 
 namespace mane {
 
-/// The waves of every wisp in one frame (§5.2, M18): a displacement of the strands in the disc.
+/// The waves of every wisp (§5.2, M18): a displacement of the strands in the disc.
 ///
 /// The phase belongs to the hair's material: it grows with the designed length, so a stretched
 /// segment keeps its number of waves. The amplitude of a stretched segment shrinks by designed
@@ -25,29 +24,38 @@ class Waves {
   public:
     static constexpr float kPhaseSpread = 0.8f; ///< [rad]
 
-    Waves(const Groom& groom, const Frame& frame, const StrandDesc& desc, std::uint32_t seed);
+    Waves(const DesignedLength& designed, const StrandDesc& desc, std::uint32_t seed);
+    /// Of a frame that fits the groom.
+    void pose(const DesignedLength& designed, const Frame& frame);
 
-    /// The largest displacement, in the disc.
+    /// The largest displacement, in the disc; 0 if there are no waves.
     float amplitude() const { return amplitude_; }
-    /// The displacement of a strand at p = `piece` + `t`; `offset` [rad] is the strand's own part
-    /// of the phase.
-    DiscPoint at(std::size_t wisp, std::uint32_t piece, float t, float offset) const;
+    /// The way in which a wisp's strands go to and fro: unit.
+    DiscPoint direction(std::size_t wisp) const { return wisps_[wisp].direction; }
+    /// [rad] where `length` [m] has been designed from x₁ on
+    double phase(std::size_t wisp, double length) const {
+        return wisps_[wisp].phase + wisps_[wisp].rate * length;
+    }
+    /// The amplitude that the frame's stretch leaves at p = `piece` + `t`: linear between the ends
+    /// and the middle of a segment.
+    float amplitude(std::size_t wisp, std::uint32_t piece, float t) const {
+        const Left& l = left_[wisps_[wisp].first_piece + piece];
+        return t < 0.5f ? l.begin + (l.middle - l.begin) * 2 * t
+                        : l.middle + (l.end - l.middle) * (2 * t - 1);
+    }
 
   private:
-    struct Piece {
-        float phase, phase_change; // [rad] at the beginning, and along it
-        float begin, middle, end;  // what is left of the amplitude there, linear between
-    };
     struct Wisp {
         std::size_t first_piece;
         DiscPoint direction;
+        double phase, rate; // [rad], [rad/m]
     };
-    void add_wisp(const Groom& groom, const Frame& frame, std::size_t wisp, float waves,
-                  const Random& random);
-
+    struct Left {
+        float begin, middle, end;
+    };
     float amplitude_;
     std::vector<Wisp> wisps_;
-    std::vector<Piece> pieces_;
+    std::vector<Left> left_; // per piece
 };
 
 } // namespace mane

@@ -219,10 +219,11 @@ TEST_CASE("strands are in the drawn envelope, and what is beyond it is measured 
     const judge::HairGeometry hair(groom, frame);
     StrandDesc desc;
     desc.count = 200;
-    const StrandShape shape(groom, frame, desc, 1);
+    StrandShape shape(groom, desc, 1);
+    shape.pose(frame);
     std::vector<Vec3> positions(shape.vertex_count());
     std::vector<float> widths(shape.vertex_count());
-    shape.fill(0, shape.strand_count(), positions, widths);
+    shape.fill(positions, widths);
     judge::DrawnSection section;
     double farthest = 0;
     for (std::size_t s = 0; s < shape.strand_count(); ++s)

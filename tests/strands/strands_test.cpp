@@ -19,9 +19,15 @@ StrandDesc plain(std::uint32_t count) {
     return desc;
 }
 
+StrandShape posed(const Hair& hair, const StrandDesc& desc, std::uint32_t samples = 4) {
+    StrandShape shape(hair.groom, desc, 5, samples);
+    shape.pose(hair.frame);
+    return shape;
+}
+
 // Largest depth of any vertex in the drawn envelope.
 double largest_depth(const Hair& hair, const StrandDesc& desc, std::uint32_t samples) {
-    const StrandShape shape(hair.groom, hair.frame, desc, 5, samples);
+    const StrandShape shape = posed(hair, desc, samples);
     const Curves curves = make_strands(hair.groom, hair.frame, desc, 5, samples);
     double largest = 0;
     for (std::size_t s = 0; s < shape.strand_count(); ++s) {
@@ -104,7 +110,7 @@ TEST_CASE("strands: the first and the last control point are on the curve, jitte
     StrandDesc desc = plain(60);
     desc.jitter = 0.5f;
     const Curves curves = make_strands(hair.groom, hair.frame, desc, 5, 4);
-    const StrandShape shape(hair.groom, hair.frame, desc, 5, 4);
+    const StrandShape shape = posed(hair, desc, 4);
     for (std::size_t s = 0; s < 60; ++s) {
         const std::size_t first = hair.groom.first_section[shape.wisp(s)];
         const std::size_t last = hair.groom.first_section[shape.wisp(s) + 1] - 1;
@@ -128,7 +134,7 @@ TEST_CASE("strands: a strand keeps its place in its wisp from frame to frame (M1
     const std::uint32_t samples = 3;
     const Curves a = make_strands(hair.groom, hair.frame, desc, 5, samples);
     const Curves b = make_strands(hair.groom, later.frame, desc, 5, samples);
-    const StrandShape shape(hair.groom, hair.frame, desc, 5, samples);
+    const StrandShape shape = posed(hair, desc, samples);
     for (std::size_t s = 0; s < 40; ++s) {
         const EnvelopeGauge before(hair.groom, hair.frame, shape.wisp(s)),
             after(hair.groom, later.frame, shape.wisp(s));
@@ -151,7 +157,7 @@ TEST_CASE("strands: any strand alone, any part, any number of threads: the same 
     CHECK(all.position == threads.position);
     CHECK(all.width == threads.width);
 
-    const StrandShape shape(hair.groom, hair.frame, desc, 5, 4);
+    const StrandShape shape = posed(hair, desc, 4);
     for (const std::size_t s :
          {std::size_t{0}, std::size_t{1}, std::size_t{700}, std::size_t{1499}}) {
         const std::size_t begin = shape.first_vertex(s), size = shape.first_vertex(s + 1) - begin;
@@ -192,6 +198,7 @@ TEST_CASE("strands: length is shortened by up to its share, evenly, and x₁'s v
     StrandDesc desc = plain(4000);
     desc.length_jitter = 0.5f;
     const Curves curves = make_strands(hair.groom, hair.frame, desc, 5, 4);
+    const StrandShape shape = posed(hair, desc);
     const double full = 0.04 * 6;
     double sum = 0;
     for (std::size_t s = 0; s < 4000; ++s) {
@@ -209,7 +216,7 @@ TEST_CASE("strands: length is shortened by up to its share, evenly, and x₁'s v
 TEST_CASE("strands: spread over the wisps in proportion, fewer are a part of more") {
     const Hair hair = random_hair({}, 3);
     StrandDesc few = plain(46), many = plain(460);
-    const StrandShape shape(hair.groom, hair.frame, many, 5);
+    const StrandShape shape = posed(hair, many);
     std::vector<std::uint32_t> counts(4);
     for (std::size_t s = 0; s < shape.strand_count(); ++s)
         ++counts[shape.wisp(s)];
@@ -233,10 +240,10 @@ TEST_CASE("strands: a million") {
 
 TEST_CASE("strands: what does not fit is said") {
     Hair hair = random_hair({}, 3);
-    CHECK_THROWS_WITH_AS(StrandShape(hair.groom, hair.frame, plain(10), 5, 0),
+    CHECK_THROWS_WITH_AS(StrandShape(hair.groom, plain(10), 5, 0),
                          "strands need at least 1 sample per segment, found 0", InputError);
     hair.frame.radius.pop_back();
-    CHECK_THROWS_WITH_AS(StrandShape(hair.groom, hair.frame, plain(10), 5),
+    CHECK_THROWS_WITH_AS(posed(hair, plain(10)),
                          "the frame does not fit the groom: it has 143 radii, expected 144",
                          InputError);
     CHECK_THROWS_WITH_AS(make_strands(straight_hair(2).groom, straight_hair(2).frame, plain(10), 5),

@@ -102,7 +102,7 @@ TEST_CASE("bench measures strands, cache and the machine") {
         mane_command(project, "bench --only strands cache machine --runs 1 --json b.json");
     REQUIRE(run.code == 0);
     const Json all = Json::parse(project.read("b.json"));
-    const Json strands = medians(all, "strands");
+    const Json strands = medians(all, "strands/plain/1");
     CHECK(strands["strands"] == 100000);
     CHECK(strands["million_strands_of_32_per_second"].get<double>() *
               strands["ns_per_vertex"].get<double>() ==

@@ -85,6 +85,17 @@ std::vector<std::string> beginnings(const std::vector<Case>& cases) {
                      "; all with `mane bench --list`)");
 }
 
+/// Straight, and with waves and curls.
+void add_strands(const tool::BenchOptions& options, std::vector<Case>& cases) {
+    for (const auto& [name, kind] :
+         {std::pair("strands/plain", Kind::strands), {"strands/waves-curls", Kind::moving_strands}})
+        for (const unsigned threads : {1u, thread_count(options)})
+            cases.push_back({.name = fmt::format("{}/{}", name, threads),
+                             .kind = kind,
+                             .scene = options.project + "/scenes/long.toml",
+                             .threads = threads});
+}
+
 } // namespace
 
 std::vector<Case> all_cases(const tool::BenchOptions& options) {
@@ -94,10 +105,7 @@ std::vector<Case> all_cases(const tool::BenchOptions& options) {
     add_styles(options, cases);
     add_series(options, cases);
     add_core(options, cases);
-    cases.push_back({.name = "strands",
-                     .kind = Kind::strands,
-                     .scene = options.project + "/scenes/long.toml",
-                     .threads = all});
+    add_strands(options, cases);
     cases.push_back(
         {.name = "cache", .kind = Kind::cache, .scene = series_scene(options, "wide-1000")});
     for (Case& c : cases)

@@ -8,7 +8,7 @@
 
 namespace mane::bench {
 
-enum class Kind { simulation, strands, cache, machine };
+enum class Kind { simulation, strands, moving_strands, cache, machine };
 
 /// One thing to measure. Names are paths: the first part is the group, that is, the table and the
 /// CSV file.

@@ -9,6 +9,7 @@ namespace {
 bench::Json measure(const bench::Case& c) {
     switch (c.kind) {
     case bench::Kind::strands:
+    case bench::Kind::moving_strands:
         return measure_strands(c);
     case bench::Kind::cache:
         return measure_cache(c);

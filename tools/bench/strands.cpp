@@ -8,6 +8,7 @@
 #include <functional>
 #include <limits>
 #include <thread>
+#include <utility>
 
 namespace mane::bench {
 namespace {
@@ -29,56 +30,80 @@ double best_seconds(const std::function<void()>& work) {
     return best;
 }
 
-/// The strands' vertices, as a renderer's buffers.
-struct Buffers {
-    std::vector<Vec3> positions;
-    std::vector<float> widths;
+/// The strands' vertices, as a renderer's buffers, filled by one thread or by several.
+class Buffers {
+  public:
+    explicit Buffers(const StrandShape& shape)
+        : shape_(shape), positions_(shape.vertex_count()), widths_(shape.vertex_count()) {}
 
-    explicit Buffers(std::size_t vertices) : positions(vertices), widths(vertices) {}
-
-    void fill(const StrandShape& shape, std::size_t first, std::size_t last) {
-        const std::size_t from = shape.first_vertex(first), to = shape.first_vertex(last);
-        shape.fill(first, last - first, std::span(positions).subspan(from, to - from),
-                   std::span(widths).subspan(from, to - from));
-    }
-    void fill_side_by_side(const StrandShape& shape, unsigned threads) {
-        std::vector<std::jthread> workers;
-        for (unsigned t = 0; t < threads; ++t)
-            workers.emplace_back([&, t] {
-                fill(shape, t * shape.strand_count() / threads,
-                     (t + 1) * shape.strand_count() / threads);
-            });
+    double seconds(unsigned threads) {
+        return best_seconds([&] { side_by_side(threads, &Buffers::fill); });
     }
     /// What no one who fills them can be faster than.
-    void fill_plainly() {
-        std::ranges::fill(positions, Vec3(1, 2, 3));
-        std::ranges::fill(widths, 1.f);
+    double plain_seconds(unsigned threads) {
+        return best_seconds([&] { side_by_side(threads, &Buffers::fill_plainly); });
     }
+
+  private:
+    void side_by_side(unsigned threads, void (Buffers::*part)(std::size_t, std::size_t)) {
+        const std::size_t strands = shape_.strand_count();
+        std::vector<std::jthread> workers;
+        for (unsigned t = 1; t < threads; ++t)
+            workers.emplace_back(
+                [=, this] { (this->*part)(t * strands / threads, (t + 1) * strands / threads); });
+        (this->*part)(0, strands / threads);
+    }
+    void fill(std::size_t first, std::size_t last) {
+        const auto [from, size] = range(first, last);
+        shape_.fill(first, last - first, std::span(positions_).subspan(from, size),
+                    std::span(widths_).subspan(from, size));
+    }
+    void fill_plainly(std::size_t first, std::size_t last) {
+        const auto [from, size] = range(first, last);
+        std::ranges::fill(std::span(positions_).subspan(from, size), Vec3(1, 2, 3));
+        std::ranges::fill(std::span(widths_).subspan(from, size), 1.f);
+    }
+    std::pair<std::size_t, std::size_t> range(std::size_t first, std::size_t last) const {
+        const std::size_t from = shape_.first_vertex(first);
+        return {from, shape_.first_vertex(last) - from};
+    }
+
+    const StrandShape& shape_;
+    std::vector<Vec3> positions_;
+    std::vector<float> widths_;
 };
 
 } // namespace
 
 Json measure_strands(const Case& c) {
     SceneDesc scene = read_scene(c.scene);
-    scene.hair.strands.count = kStrands;
+    StrandDesc& desc = scene.hair.strands;
+    desc.count = kStrands;
+    if (c.kind == Kind::moving_strands) {
+        desc.waves = 6;
+        desc.wave_amplitude = 0.2f;
+        desc.curls = 3;
+    }
     const RunSetup setup = prepare(scene);
     const World world(scene.simulation, setup.groom, setup.bodies);
-    const StrandShape shape(setup.groom, world.frame(), scene.hair.strands, scene.simulation.seed,
-                            kSamples);
-    Buffers buffers(shape.vertex_count());
-    const double plain = best_seconds([&] { buffers.fill_plainly(); });
-    const double one = best_seconds([&] { buffers.fill(shape, 0, shape.strand_count()); });
-    const double all = best_seconds([&] { buffers.fill_side_by_side(shape, c.threads); });
-    const double vertices = static_cast<double>(shape.vertex_count());
+    Watch making;
+    making.go();
+    StrandShape shape(setup.groom, desc, scene.simulation.seed, kSamples);
+    making.hold();
+    const double posing = best_seconds([&] { shape.pose(world.frame()); });
+    Buffers buffers(shape);
+    const double plain = buffers.plain_seconds(c.threads), drawn = buffers.seconds(c.threads);
+    const auto vertices = static_cast<double>(shape.vertex_count());
     return {{"scene", c.scene},
             {"threads", c.threads},
             {"strands", shape.strand_count()},
             {"vertices", shape.vertex_count()},
-            {"ns_per_vertex", 1e9 * one / vertices},
-            {"million_strands_of_32_per_second", 1e-6 * vertices / kVertices / one},
-            {"million_strands_of_32_per_second_all_threads", 1e-6 * vertices / kVertices / all},
+            {"ns_per_vertex", 1e9 * drawn / vertices},
+            {"million_strands_of_32_per_second", 1e-6 * vertices / kVertices / drawn},
             {"plain_fill_gb_per_second", 1e-9 * vertices * (sizeof(Vec3) + sizeof(float)) / plain},
-            {"times_plain_fill", one / plain},
+            {"share_of_plain_fill", plain / drawn},
+            {"recipes_ms", 1000 * making.wall()},
+            {"pose_ms", 1000 * posing},
             {"peak_mb", peak_megabytes()}};
 }
 
