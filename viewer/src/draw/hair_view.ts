@@ -40,11 +40,14 @@ export interface Progress {
 const kVertices = 32, // of a strand
     kFewVertices = 14, // where the machine is slow and everything moves
     kFirstStrands = 10_000, // a first picture shows at least so many
-    kFewest = 400, // strands, however slow the machine
+    kFewest = 400, // strands of a part
+    kFewestMoving = 3000, // of a picture while everything moves, however slow the machine
     kMostPasses = 12,
     kSmoothPasses = 8, // at least, or edges would show steps
     kWidestLine = 1.6, // [pixels] of a strand that is drawn as a line; wider ones are ribbons
-    kWidest = 3; // [pixels] of a strand while everything moves
+    kWidest = 5; // [pixels] of a strand while everything moves
+const kFineNodes = 110_000, // of the grid that light is looked up in
+    kCoarseNodes = 45_000;
 const kClay: Vec3 = [0.52, 0.37, 0.3],
     kObstacle: Vec3 = [0.42, 0.45, 0.48];
 const kBackground = { middle: [0.23, 0.24, 0.26] as Vec3, rim: [0.045, 0.048, 0.055] as Vec3 };
@@ -98,7 +101,9 @@ export class HairView {
     private moving = false;
     private picture: Progress = { strands: 0, of: 0, done: false };
     private flight: { sync: WebGLSync; strands: number; started: number } | null = null;
-    private speed = 10; // strands per millisecond
+    private speed = 10; // strands per millisecond, of still pictures
+    private affordable = kFirstStrands; // strands of a picture while everything moves
+    private budget = 0; // [ms] of the picture in flight, while everything moves
 
     constructor(readonly canvas: HTMLCanvasElement) {
         const gl = canvas.getContext("webgl2", { alpha: true, antialias: false, depth: false, powerPreference: "high-performance" });
@@ -138,7 +143,13 @@ export class HairView {
     private makeStrands(): void {
         this.strands.setHair(this.hair!, this.desc);
         if (this.frame) this.strands.setFrame(this.frame);
-        this.shadow = shadowPerLength(this.hair!, this.desc, this.look.width);
+        this.castShadows();
+    }
+
+    /** Hair throws shadows where it is drawn as strands or envelopes. */
+    private castShadows(): void {
+        const { layers, width } = this.look;
+        this.shadow = shadowPerLength(this.hair!, this.desc, layers.strands || layers.envelope ? width : 0);
         this.frameIsNew = true;
         this.touch();
     }
@@ -164,10 +175,7 @@ export class HairView {
         this.touch();
         if (!this.hair) return;
         if (look.strands !== before.strands) this.makeStrands();
-        else if (look.width !== before.width) {
-            this.shadow = shadowPerLength(this.hair, this.desc, look.width);
-            this.frameIsNew = true;
-        }
+        else if (look.width !== before.width || look.layers !== before.layers) this.castShadows();
     }
 
     /** The camera, the canvas or `marks` changed. */
@@ -202,7 +210,8 @@ export class HairView {
         const { gl, flight } = this;
         if (gl.getSyncParameter(flight.sync, gl.SYNC_STATUS) !== gl.SIGNALED && !gl.isContextLost()) return true;
         const took = Math.max(performance.now() - flight.started, 1);
-        if (flight.strands > 0) this.speed += 0.5 * (flight.strands / took - this.speed);
+        if (this.moving) this.affordable *= Math.min(Math.max(this.budget / took, 0.7), 1.3);
+        else if (flight.strands > 0) this.speed += 0.5 * (flight.strands / took - this.speed);
         gl.deleteSync(flight.sync);
         this.flight = null;
         return false;
@@ -214,7 +223,7 @@ export class HairView {
      */
     draw(budget: number, moving = false): Progress {
         if (!this.frame || this.busy) return this.picture;
-        if (this.stale || (this.moving && !moving)) this.beginPicture(moving, budget);
+        if (this.stale || (this.moving && !moving)) this.beginPicture(moving);
         if (!this.picture.done) {
             if (this.moving) this.drawMoving(budget);
             else this.drawPart(budget);
@@ -237,11 +246,11 @@ export class HairView {
         return this.strands.readBack(strands, parameters, this.envelopeUniforms());
     }
 
-    private beginPicture(moving: boolean, budget: number): void {
+    private beginPicture(moving: boolean): void {
         const { canvas, look } = this;
         this.film.resize(Math.max(canvas.width, 1), Math.max(canvas.height, 1));
         this.film.restart();
-        this.updateLight();
+        this.updateLight(moving ? kCoarseNodes : kFineNodes);
         if (this.linesAreNew) this.updateLines();
         if (this.marksAreNew) this.markLines.upload(this.marks);
         this.linesAreNew = this.marksAreNew = this.stale = false;
@@ -250,8 +259,9 @@ export class HairView {
         const count = look.layers.strands ? this.strands.count : 0;
         // As many passes as make a strand about a pixel wide.
         const wanted = Math.min(Math.max(Math.round(1 / this.strandPixels()), 1), kMostPasses);
+        this.affordable = Math.min(Math.max(this.affordable, kFewestMoving), Math.max(count, 1));
         this.passes = moving
-            ? Math.max(1, Math.min(wanted, Math.floor((this.speed * budget * wanted) / Math.max(count, 1))))
+            ? Math.max(1, Math.floor((this.affordable * wanted) / Math.max(count, 1)))
             : Math.max(1, Math.min(wanted, Math.ceil(count / kFirstStrands)));
         this.picture = { strands: 0, of: count, done: false };
     }
@@ -266,14 +276,14 @@ export class HairView {
     /** One picture of as many strands as the budget allows, in one go. */
     private drawMoving(budget: number): void {
         const count = this.picture.of;
-        const affordable = Math.min(Math.max(this.speed * budget, kFewest), count);
-        const perPass = Math.floor(affordable / this.passes);
+        const perPass = Math.floor(Math.min(this.affordable, count) / this.passes);
+        this.budget = budget;
         const wider = Math.min(count / Math.max(perPass, 1), Math.max(kWidest / this.strandPixels(), 1));
         const started = performance.now();
         for (this.pass = 0; this.pass < this.passes; ++this.pass) {
             this.beginPass();
             this.drawStrands(this.pass * perPass, perPass, wider, perPass < 4000 ? kFewVertices : kVertices);
-            this.film.endPass();
+            if (this.passes > 1) this.film.endPass();
         }
         this.picture = { strands: perPass * this.passes, of: count, done: true };
         this.show();
@@ -395,10 +405,11 @@ export class HairView {
         return [toward(0.8, -0.7, 0.9), toward(0.7, 0.9, 0.2), toward(-0.9, 0.5, 0.8)];
     }
 
-    private updateLight(): void {
-        if (!this.frameIsNew && this.heading === this.camera.yaw) return;
+    private updateLight(nodes: number): void {
         const { gl, light } = this;
-        if (this.frameIsNew) light.fill(this.hair!, this.sections!.values, this.shadow, this.posedBodies);
+        const fill = this.frameIsNew || nodes > light.nodes;
+        if (!fill && this.heading === this.camera.yaw) return;
+        if (fill) light.fill(this.hair!, this.sections!.values, this.shadow, this.posedBodies, nodes);
         light.light(this.lightDirections());
         this.frameIsNew = false;
         this.heading = this.camera.yaw;

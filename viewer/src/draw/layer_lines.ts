@@ -12,7 +12,7 @@ export function wispColour(wisp: number): [number, number, number] {
     const hue = 6 * ((wisp * 0.61803399) % 1);
     const channel = (at: number): number => {
         const d = Math.abs(hue - at);
-        return (0.12 + 0.7 * Math.min(Math.max(2 - Math.min(d, 6 - d), 0), 1)) ** (1 / 2.2);
+        return (0.13 + 0.5 * Math.min(Math.max(2 - Math.min(d, 6 - d), 0), 1)) ** (1 / 2.2);
     };
     return [channel(0), channel(2), channel(4)];
 }

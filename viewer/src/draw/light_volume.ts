@@ -2,7 +2,6 @@ import type { Hair } from "../hair/hair";
 import type { PosedBody } from "../hair/posed_body";
 import { normalized, type Vec3 } from "./matrix";
 
-const kNodes = 120_000; // of the grid: cells of about a centimetre around a head
 const kMeanSine = 0.785; // of the angle between strand and light, over all directions: π/4
 const kSkinDepth = 3; // optical depth across the surface of a body
 const kCoded = 4; // a texel holds e^(−depth/4): depths to 20 in 8 bits
@@ -20,6 +19,8 @@ export class LightVolume {
     readonly size: [number, number, number] = [2, 2, 2];
     readonly low: Vec3 = [0, 0, 0];
     cell = 0.01;
+    /** About how many the grid has. */
+    nodes = 0;
     /** Four bytes a node: e^(−depth/4) of three lights, and the share of the sky that is seen. */
     texels = new Uint8Array(0);
 
@@ -28,7 +29,8 @@ export class LightVolume {
     private sky = new Float32Array(0);
 
     /** The hair's density in a frame: `records` as in `Sections`, `area` [m²] of shadow that a metre of each wisp throws. */
-    fill(hair: Hair, sections: Float32Array, shadow: Float32Array, bodies: readonly PosedBody[]): void {
+    fill(hair: Hair, sections: Float32Array, shadow: Float32Array, bodies: readonly PosedBody[], nodes: number): void {
+        this.nodes = nodes;
         this.enclose(hair, sections, bodies[0]);
         this.density.fill(0);
         for (let w = 0; w < hair.wisps; ++w) this.addWisp(hair, sections, w, shadow[w]);
@@ -60,7 +62,7 @@ export class LightVolume {
         include(sections, 4 * (hair.envelopePoints + 1), 0.03);
         if (body) include(body.vertices, 3, 0);
         const volume = low.reduce((v, l, a) => v * (high[a] - l + 0.04), 1);
-        this.cell = Math.cbrt(volume / kNodes);
+        this.cell = Math.cbrt(volume / this.nodes);
         for (let a = 0; a < 3; ++a) {
             this.low[a] = low[a] - 2 * this.cell;
             this.size[a] = Math.ceil((high[a] - low[a]) / this.cell) + 5;
