@@ -119,6 +119,7 @@ struct World::Data {
         const Schedule& schedule = simulation.schedule;
         const std::uint64_t first_step = std::uint64_t{frame.index} * schedule.steps();
         follow_head(step_time(first_step));
+        simulation.reactions.clear();
         for (std::uint32_t b = 0; b < schedule.blocks(); ++b) {
             const std::uint32_t begin = schedule.block_begin(b), end = schedule.block_begin(b + 1);
             enter_block(step_time(first_step + begin), (end - begin) * schedule.step_seconds());
@@ -216,6 +217,9 @@ std::vector<Contact> World::contacts() const {
             data_->simulation.hair(), data_->simulation.contact_geometry.points().order, list);
     data_->simulation.character_contacts.list(data_->simulation.groom, list);
     return list;
+}
+const std::vector<Reaction>& World::reactions() const {
+    return data_->simulation.reactions;
 }
 const char* World::instruction_set() const {
     return data_->simulation.kernels.instruction_set;
