@@ -86,6 +86,7 @@ void World::Data::advance() {
     const Schedule& schedule = simulation.schedule;
     const std::uint64_t first_step = steps_done();
     follow_head(step_time(first_step));
+    simulation.reactions.clear();
     for (std::uint32_t b = 0; b < schedule.blocks(); ++b) {
         const std::uint32_t begin = schedule.block_begin(b), end = schedule.block_begin(b + 1);
         const double seconds = (end - begin) * schedule.step_seconds();
