@@ -402,7 +402,8 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
     reactions_.clear();
     for (const std::vector<Reaction>& found : reactions)
         reactions_.insert(reactions_.end(), found.begin(), found.end());
-    std::ranges::stable_sort(reactions_, {}, &Reaction::section); // packets are not
+    std::stable_sort(reactions_.begin(), reactions_.end(), // packets are not
+                     [](const Reaction& a, const Reaction& b) { return a.section < b.section; });
     return reactions_.size();
 }
 

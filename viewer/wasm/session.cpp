@@ -26,8 +26,8 @@ template <typename Apply> void for_lines(const std::string& text, const Apply& a
 enum class Effect : std::uint8_t {
     drawing, ///< strands alone
     motion,  ///< of the character
-    step,    ///< what the world takes while it runs
-    hair,    ///< other hair or bodies: a world of its own
+    step,    ///< how the world is stepped
+    hair,    ///< other hair: the same wisps with other springs, or a world of its own
 };
 
 Effect effect_of(const FieldInfo& field) {
@@ -50,6 +50,12 @@ bool differ(const SceneDesc& a, const SceneDesc& b, Effect effect) {
         if (effect_of(f) == effect && to_toml(f.get(a)) != to_toml(f.get(b)))
             return true;
     return false;
+}
+
+/// Whether springs can be changed from one to the other, and nothing else.
+bool same_wisps(const Groom& a, const Groom& b) {
+    return a.envelope_points == b.envelope_points && a.first_section == b.first_section &&
+           a.roots == b.roots && a.strands == b.strands;
 }
 
 /// How long a motion is until it begins again [s]; 0: it does not.
@@ -120,15 +126,46 @@ void Session::teleport(const Vec3d& by) {
     world_->teleport();
 }
 
+void Session::pin(std::uint32_t section, const Vec3d& place) {
+    constexpr double kEase = 0.06; // [s] a hand's places come many times a second
+    Pin pin;
+    pin.section = section;
+    pin.place = place;
+    pin.ease = kEase;
+    world_->pin(pin);
+}
+
+void Session::release(std::uint32_t section) {
+    world_->release(section);
+}
+
+void Session::release_all() {
+    for (const Pin& pin : world_->pins())
+        world_->release(pin.section);
+}
+
 void Session::change_to(const SceneDesc& scene) {
-    if (differ(scene_, scene, Effect::hair))
-        return build(scene);
+    std::unique_ptr<RunSetup> hair;
+    if (differ(scene_, scene, Effect::hair)) {
+        hair = std::make_unique<RunSetup>(prepare(scene));
+        if (!same_wisps(hair->groom, world_->groom())) {
+            begin(scene, *hair);
+            setup_ = std::move(hair);
+            scene_ = scene;
+            return;
+        }
+    }
     const bool moves = differ(scene_, scene, Effect::motion);
     std::shared_ptr<const Motion> motion = moves ? make_motion(scene.motion) : nullptr;
     SimulationDesc desc = scene.simulation; // how long a run is says nothing to this one
     desc.schedule.frames = world_->desc().schedule.frames;
     desc.schedule.preroll = world_->desc().schedule.preroll;
-    world_->change(desc);
+    if (hair) {
+        world_->change(desc, hair->groom);
+        setup_->groom = std::move(hair->groom);
+    } else {
+        world_->change(desc);
+    }
     if (moves) {
         setup_->bodies[0].motion = motion;
         lead_->follow(std::move(motion), length_of(scene.motion), world_->frame().time);
@@ -155,7 +192,7 @@ void Session::begin(const SceneDesc& scene, const RunSetup& setup) {
     bodies[0].motion = lead.motion();
     auto world =
         std::make_unique<World>(scene.simulation, setup.groom, std::move(bodies),
-                                -preroll / schedule.frame_rate, RunOptions{.threads = threads_});
+                                -preroll / schedule.frame_rate, RunOptions{threads_, "", {}});
     world_ = std::move(world);
     lead_ = std::move(lead);
     ++worlds_;

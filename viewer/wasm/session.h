@@ -36,14 +36,16 @@ class Session {
     void advance();
     /// A hand holds the head from now on.
     void hold(const Hold& hold) { lead_->hold(hold); }
+    /// Holds a skeleton point at a place in the world [m], and lets it go.
+    void pin(std::uint32_t section, const Vec3d& place);
+    void release(std::uint32_t section);
+    void release_all();
     /// The character is elsewhere at once, with its hair.
     void teleport(const Vec3d& by);
 
     const std::string& name() const { return name_; }
     const SceneDesc& scene() const { return scene_; }
     const RunSetup& setup() const { return *setup_; }
-    /// What the first body moves by.
-    const Motion& lead() const { return *lead_->motion(); }
     const World& world() const { return *world_; }
     /// How often a world was built.
     unsigned worlds() const { return worlds_; }
