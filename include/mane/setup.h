@@ -2,6 +2,7 @@
 
 #include "mane/body.h"
 #include "mane/groom.h"
+#include "mane/live_scene.h"
 
 #include <cstdint>
 #include <memory>
@@ -25,6 +26,17 @@ struct RunSetup {
 /// Reads the files that a scene names, makes the bodies with their motions and grows the hair.
 /// Throws InputError.
 RunSetup prepare(const SceneDesc& scene);
+/// The same with a character that `motion` moves, whatever the scene says of it: a host's, for a
+/// bust's bones.
+RunSetup prepare(const SceneDesc& scene, std::shared_ptr<const Motion> motion);
+
+/// The hair of a scene on a wearer, as `prepare` grows it, in balance under `gravity` [m/s²].
+/// Throws InputError.
+Groom grow_hair(const SceneDesc& scene, const Body& wearer, const Vec3& gravity);
+
+/// What `prepare` made of a scene as a world to play with, from `start_time` [s] on.
+LiveScene make_live(const SceneDesc& scene, const RunSetup& setup, double start_time = 0,
+                    const RunOptions& options = {});
 
 /// One bone that follows a bone of another motion: a hat on its head.
 std::shared_ptr<const Motion> following_motion(std::shared_ptr<const Motion> leader,

@@ -93,12 +93,12 @@ class World {
     /// InputError, and then changes nothing, for values that no step can work with, for steps that
     /// would be unstable (M37) and for a fixed field that differs (seed, frames, preroll).
     void change(const SimulationDesc& desc);
-    /// Other springs, masses and designed radii from now on, of the same wisps with the same
-    /// sections and roots: what a style field or `skeleton.strain` asks for, laid anew
+    /// Other springs, masses and designs from now on, of the same wisps with the same sections,
+    /// rooted at the same places: what `skeleton.strain` or a style's radius asks for, laid anew
     /// (`make_groom`). Hair stays as it is; the new springs take it to the new design, radii too.
-    /// Only the two sections on the head, which no spring moves, take theirs over the next frame.
-    /// Throws InputError, and then changes nothing, for a groom that does not fit or would be
-    /// unstable.
+    /// Only the two sections on the head, which no spring moves, go over to theirs in the next
+    /// frame. Throws InputError, and then changes nothing, for a groom that does not fit or would
+    /// be unstable.
     void change(const Groom& groom);
     /// Both at once: values that are stable together need not be one after the other.
     void change(const SimulationDesc& desc, const Groom& groom);

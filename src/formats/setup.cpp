@@ -124,17 +124,35 @@ std::shared_ptr<const Motion> make_motion(const MotionDesc& desc) {
     return desc.freeze > 0 ? frozen_motion(std::move(motion), desc.freeze) : motion;
 }
 
+Groom grow_hair(const SceneDesc& scene, const Body& wearer, const Vec3& gravity) {
+    return make_groom(lay_hair(scene, wearer), wearer.mesh, gravity);
+}
+
 RunSetup prepare(const SceneDesc& scene) {
+    return prepare(scene, make_motion(scene.motion));
+}
+
+RunSetup prepare(const SceneDesc& scene, std::shared_ptr<const Motion> motion) {
     RunSetup setup;
     setup.scene = write_scene(scene);
     Body wearer =
         scene.character.mesh.empty() ? make_bust() : read_wearer(scene.character, setup.warnings);
-    wearer.motion = make_motion(scene.motion);
-    setup.groom = make_groom(lay_hair(scene, wearer), wearer.mesh, scene.simulation.gravity);
+    wearer.motion = std::move(motion);
+    setup.groom = grow_hair(scene, wearer, scene.simulation.gravity);
     setup.bodies.push_back(wearer);
     for (const ObstacleDesc& obstacle : scene.obstacles)
         setup.bodies.push_back(make_obstacle(obstacle, wearer, setup.warnings));
     return setup;
+}
+
+LiveScene make_live(const SceneDesc& scene, const RunSetup& setup, double start_time,
+                    const RunOptions& options) {
+    return LiveScene(
+        scene, setup.groom, setup.bodies,
+        [wearer = setup.bodies[0], gravity = scene.simulation.gravity](const SceneDesc& now) {
+            return grow_hair(now, wearer, gravity);
+        },
+        start_time, options);
 }
 
 } // namespace mane

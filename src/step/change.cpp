@@ -16,8 +16,7 @@ void World::Data::change(const SimulationDesc& desc, const Groom* groom) {
         check_same_topology(s.groom, *groom);
     }
     const Schedule schedule(desc.schedule);
-    const bool other_steps = schedule.steps() != s.schedule.steps() ||
-                             schedule.step_seconds() != s.schedule.step_seconds();
+    const bool other_steps = !schedule.same_steps(s.schedule);
     if (groom || other_steps || desc.air.drag != s.desc.air.drag)
         require_stable_step(groom ? *groom : s.groom, double{desc.air.drag},
                             schedule.step_seconds());
@@ -32,8 +31,6 @@ void World::Data::change(const SimulationDesc& desc, const Groom* groom) {
     }
 
     // Nothing throws from here on.
-    if (desc.wisps.mode == WispContactMode::off)
-        s.wisp_detection.forget();
     s.wisp_detection.change(desc.wisps);
     s.wisp_response.change(desc.wisps);
     s.air = std::move(air);
@@ -42,10 +39,7 @@ void World::Data::change(const SimulationDesc& desc, const Groom* groom) {
     s.desc = desc;
     if (other_groom)
         take_groom(std::move(*other_groom), std::move(rest));
-    if (other_steps) {
-        epoch_ = {frame.time, frame.index};
-        s.schedule = schedule;
-    }
+    s.schedule = schedule;
     if (other_steps && frame.index == 0) { // as in a world made with them
         place_roots(frame.time);
         publish();
@@ -54,17 +48,26 @@ void World::Data::change(const SimulationDesc& desc, const Groom* groom) {
 
 void World::Data::take_groom(Groom&& groom, RestRows&& rest) {
     Simulation& s = simulation;
+    if (root_change_.from.empty())
+        root_change_.from = std::move(s.groom.roots);
+    if (root_change_.from == groom.roots)
+        root_change_.from.clear();
     s.groom = std::move(groom);
     s.rest = std::move(rest);
     for (const Held::Point& point : s.held.points)
         s.rest.hold(point.slot);
     s.wisp_response.forget_masses();
     s.contact_geometry.change_design(s.groom);
-    s.held.radii.clear();
+    lead_radii_on_head();
+}
+
+/// No spring moves them.
+void World::Data::lead_radii_on_head() {
+    Simulation& s = simulation;
     const std::uint32_t k_count = s.groom.envelope_points;
-    for (std::size_t w = 0; w < s.groom.wisp_count(); ++w)
-        for (std::uint32_t section = s.groom.first_section[w];
-             section < s.groom.first_section[w] + 2; ++section)
+    s.held.radii.clear();
+    for (const std::uint32_t first : std::span(s.groom.first_section).first(s.groom.wisp_count()))
+        for (std::uint32_t section = first; section < first + 2; ++section)
             for (std::uint32_t k = 0; k < k_count; ++k) {
                 const Slot slot = s.layout.slot(section);
                 const float now = s.state.radius.at(slot, k),

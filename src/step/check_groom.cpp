@@ -101,7 +101,8 @@ void check_same_topology(const Groom& now, const Groom& next) {
         if (next.sections(w) != now.sections(w))
             throw InputError(wisp_name(w) + " has " + std::to_string(next.sections(w)) +
                              " sections; expected the world's " + std::to_string(now.sections(w)));
-        if (next.roots[w] != now.roots[w])
+        if (next.roots[w].triangle != now.roots[w].triangle ||
+            next.roots[w].barycentric != now.roots[w].barycentric)
             throw InputError(wisp_name(w) + " is rooted elsewhere; expected the world's root");
     }
 }

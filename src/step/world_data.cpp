@@ -1,5 +1,6 @@
 #include "step/world_data.h"
 
+#include "character/ease.h"
 #include "groom/stability.h"
 #include "step/check_desc.h"
 #include "step/placement.h"
@@ -13,7 +14,9 @@ namespace mane {
 
 World::Data::Data(const SimulationDesc& desc, const Groom& groom, std::vector<Body> bodies,
                   double start_time, const RunOptions& options)
-    : simulation(desc, groom, options), cast(std::move(bodies)), epoch_{start_time, 0} {
+    : simulation(desc, groom, options),
+      cast(std::move(bodies)), epoch_{start_time, 0, simulation.schedule} {
+    frame.time = start_time;
     head_middle = middle_of_roots();
     require_stable_step(simulation.groom, double{desc.air.drag},
                         simulation.schedule.step_seconds());
@@ -60,14 +63,26 @@ void World::Data::follow_head(double time) {
 /// poses the bodies there.
 void World::Data::enter_block(double time, double seconds) {
     simulation.roots.seconds = static_cast<float>(seconds);
+    lead_roots(time);
     follow_roots(0);
     cast.advance(time + seconds, seconds, simulation.origin);
+    lead_roots(time + seconds);
     follow_roots(1);
 }
 
 void World::Data::follow_roots(int end) {
     follow_scalp(simulation.groom, simulation.layout, cast.body(0).mesh, cast.vertices(0),
-                 cast.velocities(0), end, simulation.roots);
+                 cast.velocities(0), end, simulation.roots, root_change_);
+}
+
+/// Roots of another groom are reached at the frame's end.
+void World::Data::lead_roots(double time) {
+    if (root_change_.from.empty())
+        return;
+    const double seconds = next_time() - frame.time;
+    const Slope share = ease((time - frame.time) / seconds);
+    root_change_.share = share.value;
+    root_change_.rate = share.rate / seconds;
 }
 
 /// Puts the kinematic sections, with their velocities, where the bodies have them at `time`, and
@@ -84,25 +99,28 @@ void World::Data::place_roots(double time) {
 
 void World::Data::advance() {
     const Schedule& schedule = simulation.schedule;
-    const std::uint64_t first_step = steps_done();
-    follow_head(step_time(first_step));
+    const double end_of_frame = next_time();
+    epoch_ = epoch();
+    follow_head(step_time(0));
+    if (simulation.desc.wisps.mode == WispContactMode::off)
+        simulation.wisp_detection.forget();
     simulation.reactions.clear();
     for (std::uint32_t b = 0; b < schedule.blocks(); ++b) {
         const std::uint32_t begin = schedule.block_begin(b), end = schedule.block_begin(b + 1);
-        const double seconds = (end - begin) * schedule.step_seconds();
-        const auto part = [&](std::uint32_t s) {
-            return static_cast<double>(s) / schedule.steps();
-        };
-        enter_block(step_time(first_step + begin), seconds);
+        const double time = step_time(begin), seconds = (end - begin) * schedule.step_seconds();
+        enter_block(time, seconds);
         if (!simulation.held.empty())
-            lead_held(step_time(first_step + begin), seconds, part(begin), part(end));
+            lead_held(time, seconds, static_cast<double>(begin) / schedule.steps(),
+                      static_cast<double>(end) / schedule.steps());
         StepPlace place{
             .index = 0, .steps = end - begin, .detects_wisps = schedule.detects_wisps(b)};
         for (; place.index < place.steps; ++place.index)
-            step(simulation, place, step_time(first_step + begin + place.index));
+            step(simulation, place, step_time(begin + place.index));
     }
     simulation.held.radii.clear(); // they have arrived
+    root_change_.from.clear();
     ++frame.index;
+    frame.time = end_of_frame;
     publish();
     check_finite();
 }
@@ -111,7 +129,6 @@ void World::Data::publish() {
     const Groom& groom = simulation.groom;
     const State& state = simulation.state;
     const std::uint32_t k_count = groom.envelope_points;
-    frame.time = step_time(steps_done());
     frame.origin = simulation.origin;
     head_ = cast.head(frame.time);
     frame.first_axis.resize(groom.wisp_count());

@@ -128,7 +128,7 @@ TEST_CASE("grooms that do not fit, or would be unstable, are refused and change 
               w.radius.resize(w.position.size() * 4);
           })).find("sections; expected the world's") != std::string::npos);
     Groom broken = now;
-    broken.roots[3].inside.x += 0.001f;
+    broken.roots[3].triangle += 1;
     CHECK(refusal(broken) == "wisp 3 is rooted elsewhere; expected the world's root");
     broken = now;
     broken.bend_stiffness[5] = std::numeric_limits<float>::quiet_NaN();
@@ -158,4 +158,37 @@ TEST_CASE("a step that is too long for the old springs can come with softer ones
     world.change(longer, softer);
     advance(world, 4);
     CHECK(world.statistics().steps == 2 * 60 + 4 * 42);
+}
+
+TEST_CASE("roots of another design are reached within a frame, without a jump") {
+    // Wisps that stand up more: x₀ and the first axis are elsewhere, on the same place of the skin.
+    const LiveHair& live = LiveHair::get();
+    HairDesc steep = live.hair;
+    steep.style.root_angle = 50;
+    const Groom next =
+        make_groom(lay_style(steep, live.bust, bust_scalp(live.bust)), live.bust.mesh);
+    World world = live.world(shake_motion(0.5, 2)), made = [&] {
+        Body body = live.bust;
+        body.motion = shake_motion(0.5, 2);
+        return World(live.desc, next, {body});
+    }();
+    advance(world, 3);
+    advance(made, 4);
+    const Frame before = world.frame();
+    world.change(next);
+    CHECK(world.frame().position == before.position);
+    world.advance();
+    double off = 0, way = 0;
+    for (std::size_t w = 0; w < next.wisp_count(); ++w)
+        for (std::uint32_t s = next.first_section[w]; s < next.first_section[w] + 2; ++s) {
+            off =
+                std::max(off, double{length(world.frame().position[s] - made.frame().position[s])});
+            off =
+                std::max(off, double{length(world.frame().velocity[s] - made.frame().velocity[s])});
+            way = std::max(way, double{length(next.position[s] - live.groom.position[s])});
+        }
+    CHECK(way > 0.003);
+    CHECK(off < 1e-6);
+    CHECK(world.frame().first_axis[0] == made.frame().first_axis[0]);
+    advance(world, 12);
 }

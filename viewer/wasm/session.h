@@ -2,12 +2,12 @@
 
 #include "lead.h"
 
+#include "mane/live_scene.h"
 #include "mane/scene.h"
 #include "mane/setup.h"
 #include "mane/world.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace mane::page {
@@ -29,7 +29,7 @@ class Session {
     /// A clip moves the character from now on. What a unit of it is, is told from its skeleton's
     /// size.
     void take_clip(const std::string& file);
-    /// The same world again from its first frame.
+    /// The scene as it is now, from its first frame.
     void restart();
 
     /// Simulates until the next frame.
@@ -46,7 +46,7 @@ class Session {
     const std::string& name() const { return name_; }
     const SceneDesc& scene() const { return scene_; }
     const RunSetup& setup() const { return *setup_; }
-    const World& world() const { return *world_; }
+    const World& world() const { return live_->world(); }
     /// How often a world was built.
     unsigned worlds() const { return worlds_; }
 
@@ -59,9 +59,9 @@ class Session {
     unsigned worlds_ = 0;
     std::string name_;
     SceneDesc scene_;
+    std::unique_ptr<Lead> lead_; ///< of the character
     std::unique_ptr<RunSetup> setup_;
-    std::optional<Lead> lead_; ///< of the character
-    std::unique_ptr<World> world_;
+    std::unique_ptr<LiveScene> live_;
 };
 
 } // namespace mane::page
