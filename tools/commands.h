@@ -73,6 +73,21 @@ struct PictureOptions {
 };
 int picture(const PictureOptions& options);
 
+struct ViewOptions {
+    std::string file, output;
+};
+int view(const ViewOptions& options);
+
+struct LiveOptions {
+    std::string scene; ///< empty: the page's own
+    std::string output;
+    std::vector<std::string> settings;
+    std::string rates;
+    bool serve = false;
+    int port = 8750;
+};
+int live(const LiveOptions& options);
+
 struct CheckOptions {
     std::string file;
     bool json = false;

@@ -77,4 +77,16 @@ struct CheckOptions {
 /// one, or one whose scene cannot be read.
 CheckReport check_run(const CacheReader& run, const CheckOptions& options = {});
 
+/// What a frame amounts to over the whole head.
+struct FrameFigures {
+    double kinetic_energy = 0; ///< [J] of skeletons and envelopes
+    double volume = 0;         ///< [m³] of all envelopes, from x₁ on
+    double penetration = 0;    ///< [m] the deepest skeleton or envelope point in a body; 0: none is
+    std::vector<double> wisp_kinetic_energy; ///< [J] per wisp
+};
+
+/// The figures of every frame, in order. Throws InputError as `check_run` does, and for numbers
+/// that are not finite.
+std::vector<FrameFigures> frame_figures(const CacheReader& run);
+
 } // namespace mane

@@ -27,7 +27,7 @@ class EnergyJudge final : public Judge {
         for (std::size_t w = 0; w < run_.groom.wisp_count(); ++w)
             for (std::size_t s = run_.groom.first_section[w] + 2;
                  s < run_.groom.first_section[w + 1]; ++s) {
-                energy += kinetic_energy(view, s);
+                energy += kinetic_energy(run_.groom, view.frame, view.hair, s);
                 fastest.see(length(view.frame.velocity[s]), offender(run_.groom, s, view.number));
             }
         if (largest_.see(energy, {.frame = view.number}))
@@ -79,17 +79,6 @@ class EnergyJudge final : public Judge {
     double section_mass(std::size_t s) const {
         return run_.groom.skeleton_mass[s] +
                double{run_.groom.envelope_mass[s]} * run_.groom.envelope_points;
-    }
-
-    double kinetic_energy(const FrameView& view, std::size_t s) const {
-        const Vec3d v(view.frame.velocity[s]);
-        double twice = run_.groom.skeleton_mass[s] * dot(v, v);
-        for (std::uint32_t k = 0; k < view.hair.points(); ++k) {
-            const double rate = view.frame.radius_rate[s * view.hair.points() + k];
-            const Vec3d at = v + view.hair.half_line(s, k) * rate;
-            twice += run_.groom.envelope_mass[s] * dot(at, at);
-        }
-        return twice / 2;
     }
 
     /// How fast the bodies carry and turn what they touch.

@@ -70,6 +70,18 @@ double section_area(const std::vector<float>& radii, std::size_t s, std::uint32_
     return sum * std::numbers::pi / points;
 }
 
+double kinetic_energy(const Groom& groom, const Frame& frame, const HairGeometry& hair,
+                      std::size_t s) {
+    const Vec3d v(frame.velocity[s]);
+    double twice = groom.skeleton_mass[s] * dot(v, v);
+    for (std::uint32_t k = 0; k < hair.points(); ++k) {
+        const double rate = frame.radius_rate[s * hair.points() + k];
+        const Vec3d at = v + hair.half_line(s, k) * rate;
+        twice += groom.envelope_mass[s] * dot(at, at);
+    }
+    return twice / 2;
+}
+
 std::uint32_t wisp_of(const Groom& groom, std::size_t section) {
     const auto behind =
         std::upper_bound(groom.first_section.begin(), groom.first_section.end(), section);

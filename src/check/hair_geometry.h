@@ -39,6 +39,10 @@ class HairGeometry {
 /// half lines (M14a).
 double section_area(const std::vector<float>& radii, std::size_t s, std::uint32_t points);
 
+/// [J] Kinetic energy of section `s`: of its skeleton point and its envelope points.
+double kinetic_energy(const Groom& groom, const Frame& frame, const HairGeometry& hair,
+                      std::size_t s);
+
 /// The wisp that a section belongs to.
 std::uint32_t wisp_of(const Groom& groom, std::size_t section);
 

@@ -70,6 +70,16 @@ WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablati
     : desc_(desc), ablation_(ablation), limits_(limits_of(desc)),
       point_test_(point_test_for(instruction_set)) {}
 
+void WispDetection::change(const WispContactDesc& desc) {
+    desc_ = desc;
+    limits_ = limits_of(desc);
+}
+
+void WispDetection::forget() {
+    list_.contacts.clear();
+    std::fill(list_.first.begin(), list_.first.end(), 0u);
+}
+
 void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads) {
     if (index_.empty())
         list_segments(hair, points);

@@ -20,6 +20,11 @@ class WispDetection {
     explicit WispDetection(const WispContactDesc& desc, const Ablation& ablation = {},
                            const std::string& instruction_set = "");
 
+    /// From the next call on, contacts are as `desc` asks.
+    void change(const WispContactDesc& desc);
+    /// No contact was there at the last call.
+    void forget();
+
     /// Finds all contacts anew, for points with velocities of now. A contact that was there at the
     /// last call keeps its kind within the hysteresis.
     void detect(const HairView& hair, const ContactPoints& points, Threads& threads);
