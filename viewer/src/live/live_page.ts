@@ -13,10 +13,11 @@ import { listenForShortcuts, type Shortcut } from "../ui/shortcuts";
 import { FrameBlend } from "./blend";
 import { acceptDrops, readDropped } from "./files";
 import { fieldsOf } from "./fields";
-import { Hand, kAtEase, pointOf, type Tool } from "./hand";
+import { Hand, kAtEase, type Tool } from "./hand";
 import { showKeys } from "./keys";
 import { SolverLink } from "./link";
 import { Meter } from "./meter";
+import { kMotionNames, motionOf, motionSettings } from "./motions";
 import { Parameters } from "./parameters";
 import type { Answer, SceneFile, SolverSource, WorldDescription } from "./protocol";
 
@@ -32,14 +33,7 @@ const kStillBudget = 120, // [ms] of one part of a still picture
     kMovingBudget = 25, // of a picture while things move
     kSettle = 250; // [ms] after the last move until the picture is a still one
 const kTeleport: Vec3 = [1, 0, -0.5]; // [m]
-const kPinColour = [1, 0.72, 0.3, 1];
 const kTools: [label: string, tool: Tool][] = [["Turn", "turn"], ["Move", "move"], ["Pull hair", "pull"]];
-/** Motions without a file, as settings of [motion]. */
-const kMotions = [["Built-in", "false", "0.0"], ["Shake", "false", "40.0"], ["Still", "true", "0.0"]].map(([label, still, shake]) => ({
-    label,
-    settings: { "motion.clip": '""', "motion.still": still, "motion.shake": shake },
-}));
-
 export class LivePage {
     private readonly view: HairView;
     private readonly link: SolverLink;
@@ -63,6 +57,7 @@ export class LivePage {
     private opening = false; // a scene is on its way
     private running = true;
     private away = false; // teleported
+    private drawn = false; // all of the picture
     private following = true;
     private head: Vec3 | null = null; // [m] its middle in the frame that is shown
     private movedAt = -Infinity; // [ms] when something last moved
@@ -83,12 +78,14 @@ export class LivePage {
             hold: (hold) => this.link.send({ kind: "hold", hold }),
             pin: (section, position) => this.link.send({ kind: "pin", section, position }),
             release: (section) => this.link.send({ kind: "release", section }),
+            pinsChanged: () => this.showPins(),
         });
         orbitControls(canvas, this.view.camera, () => this.moved(), () => {});
         this.tools = choice("what a drag on the character does; beside it, it moves the camera", kTools, this.hand.tool, (tool) => (this.hand.tool = tool));
         this.styleChoice = choice("a style of the paper", styles.map((style) => [style.label, style.name]), "", (name) =>
             this.open({ ...styles.find((style) => style.name === name)!, files: [] }));
-        this.motionChoice = choice("what moves the character, beside your hand", kMotions.map(({ label }) => [label, label]), "", (label) => this.setMotion(label));
+        this.motionChoice = choice("what moves the character, beside your hand", kMotionNames.map((name) => [name, name]), "", (name) =>
+            this.link.send({ kind: "set", settings: motionSettings(name) }));
         this.shortcuts = this.makeShortcuts();
         listenForShortcuts(this.shortcuts);
         app.replaceChildren(this.header(), this.stage(canvas), this.side, this.footer());
@@ -111,6 +108,11 @@ export class LivePage {
     /** For tests: the state's hash, behind all that was asked for before. */
     stateHash(): Promise<string> {
         return this.link.ask("hash");
+    }
+
+    /** Whether the picture shows the newest frame, with all its strands. */
+    get settled(): boolean {
+        return this.drawn && !this.view.busy;
     }
 
     /** How many times faster than real time, as the meter shows it. */
@@ -146,7 +148,7 @@ export class LivePage {
     releaseAll(): void {
         this.hand.releaseAll();
         this.link.send({ kind: "release", section: "all" });
-        this.view.touch();
+        this.showPins();
     }
 
     private started({ schema, stages, threads }: AnswerOf<"started">): void {
@@ -223,16 +225,15 @@ export class LivePage {
         }
     }
 
-    private setMotion(label: string): void {
-        const { settings } = kMotions.find((motion) => motion.label === label)!;
-        this.link.send({ kind: "set", settings: Object.entries(settings).map(([key, value]) => ({ key, value })) });
+    private showChoices(values: Record<string, string>): void {
+        this.motionChoice.set(motionOf(values));
+        this.styleChoice.set(this.world!.name);
     }
 
-    /** What is chosen, as the values say it. */
-    private showChoices(values: Record<string, string>): void {
-        const motion = kMotions.find(({ settings }) => Object.entries(settings).every(([key, value]) => values[key] === value));
-        this.motionChoice.set(motion?.label ?? "");
-        this.styleChoice.set(this.world!.name);
+    /** Also of hair that stands still. */
+    private showPins(): void {
+        if (this.frames?.newest) this.hand.mark(this.frames.newest);
+        this.moved();
     }
 
     private heldHair() {
@@ -348,30 +349,20 @@ export class LivePage {
         if (frame) this.showFrame(frame);
         const moving = now - this.movedAt < kSettle;
         const progress = this.view.draw(moving ? kMovingBudget : kStillBudget, moving);
+        this.drawn = !moving && progress.done;
         this.hud.textContent =
             progress.of > 0 ? `${progress.strands.toLocaleString("en")} of ${progress.of.toLocaleString("en")} strands${progress.done || moving ? "" : " …"}` : "";
     }
 
     private showFrame(frame: HairFrame): void {
         this.view.setFrame(frame);
-        this.drawPins(frame);
+        this.hand.mark(frame);
         const before = this.head,
             { camera } = this.view;
         this.head = this.view.headCentre();
         if (!before) this.lookFrom(40);
         else if (this.following) camera.target = add(camera.target, subtract(this.head, before));
         this.clock.textContent = `frame ${frame.index} · ${frame.time.toFixed(2)} s`;
-    }
-
-    /** A pin is a dot where it holds, and a line from the point it holds. */
-    private drawPins(frame: HairFrame): void {
-        const { marks } = this.view;
-        marks.clear();
-        for (const [section, place] of this.hand.pins) {
-            const at = subtract(place, [...frame.origin] as Vec3);
-            marks.line(subtract(pointOf(frame, section), [...frame.origin] as Vec3), at, -1.5, -1.5, kPinColour);
-            marks.dot(at, -9, kPinColour);
-        }
     }
 
     private showFacts(): void {

@@ -29,6 +29,8 @@ export class Parameters {
     private values: Values = {};
     private opened: Values = {}; // as the scene was opened
     private before: Values | null = null; // a preset is on its way
+    private asked: Setting[] = []; // a request that is on its way
+    private waiting: Setting[] = []; // for its answer
 
     constructor(
         fields: Field[],
@@ -58,6 +60,7 @@ export class Parameters {
         this.panel.show(values, this.opened);
         this.rates.set(kRates.find(([, character, wisps]) => Number(values["schedule.character_rate"]) === character && Number(values["schedule.wisp_rate"]) === wisps)?.[0] ?? "");
         this.showHistory();
+        this.sendWaiting();
     }
 
     /** The solver has refused the last change. */
@@ -94,13 +97,28 @@ export class Parameters {
     }
 
     private change(key: string, value: string, open: boolean): void {
-        this.history.add([{ key, value: this.values[key] }], [{ key, value }], open);
+        this.history.add([{ key, value: this.latest(key) }], [{ key, value }], open);
         this.send([{ key, value }]);
     }
 
+    /** One request at a time: a slider says more than hair can follow that has to be laid anew. What comes meanwhile waits, the last of each field. */
     private send(settings: Setting[] | null): void {
-        if (settings) this.events.set(settings);
         this.showHistory();
+        if (!settings) return;
+        const keys = new Set(settings.map(({ key }) => key));
+        this.waiting = [...this.waiting.filter(({ key }) => !keys.has(key)), ...settings];
+        if (this.asked.length === 0) this.sendWaiting();
+    }
+
+    private sendWaiting(): void {
+        this.asked = this.waiting;
+        this.waiting = [];
+        if (this.asked.length > 0) this.events.set(this.asked);
+    }
+
+    /** A field's value when all is done that was asked for. */
+    private latest(key: string): string {
+        return [...this.waiting, ...this.asked].find((setting) => setting.key === key)?.value ?? this.values[key];
     }
 
     private showHistory(): void {
