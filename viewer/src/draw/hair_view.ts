@@ -42,8 +42,11 @@ const kVertices = 32, // of a strand
     kFirstStrands = 10_000, // a first picture shows at least so many
     kFewest = 400, // strands of a part
     kFewestMoving = 3000, // of a picture while everything moves, however slow the machine
-    kMostPasses = 12,
+    kMostPasses = 24,
     kSmoothPasses = 8, // at least, or edges would show steps
+    kThinRounds = 3, // where there are few strands
+    kFast = 150, // strands per millisecond
+    kFastRounds = 4,
     kWidestLine = 1.6, // [pixels] of a strand that is drawn as a line; wider ones are ribbons
     kWidest = 5; // [pixels] of a strand while everything moves
 const kFineNodes = 110_000, // of the grid that light is looked up in
@@ -67,6 +70,8 @@ function halton(n: number, base: number): number {
  */
 export class HairView {
     readonly camera = new OrbitCamera();
+    /** How often a still picture goes over all strands: more leave less to chance. Fast machines do so more often anyway. */
+    rounds = 1;
     /** Drawn over everything, for annotations; call `touch` after changing it. */
     readonly marks = new LineList();
 
@@ -304,7 +309,7 @@ export class HairView {
     private drawPart(budget: number): void {
         const started = performance.now();
         const count = this.picture.of,
-            rounds = Math.ceil(kSmoothPasses / this.passes); // so many times over all strands
+            rounds = this.stillRounds(count);
         const part = this.pass % this.passes;
         const first = Math.floor((count * part) / this.passes),
             end = Math.floor((count * (part + 1)) / this.passes);
@@ -325,6 +330,13 @@ export class HairView {
         this.picture.done = this.pass >= this.passes * rounds;
         if (whole || this.pass === 0) this.show();
         this.launch(now, started);
+    }
+
+    /** So many times over all strands: enough for smooth edges, more where hair is thin or the machine fast. */
+    private stillRounds(count: number): number {
+        const thin = count > 0 ? Math.min(kFirstStrands / count, kThinRounds) : 1;
+        const fast = count > 0 && this.speed > kFast ? kFastRounds : 1;
+        return Math.ceil((Math.max(thin, fast, this.rounds) * Math.max(kSmoothPasses, this.passes)) / this.passes);
     }
 
     private launch(strands: number, started: number): void {
