@@ -296,7 +296,7 @@ export async function tests({ mane, browser, folder, project, renew }) {
             const counts = await groups.locator("ul").evaluateAll((lists) => lists.map((l) => l.children.length));
             assert(counts.reduce((a, b) => a + b) >= Math.min(found.count, 40));
             await groups.first().locator("summary").click();
-            assert.match(await groups.first().locator("li").first().innerText(), /section \d+.*(N·s|mm)/s);
+            assert.match(await groups.first().locator("li").first().innerText(), /sections? \d+.*(N·s|mm)/s);
 
             const link = groups.locator(".go").first();
             const partner = /wisp (\d+)/.exec(await link.getAttribute("title"))[1];
