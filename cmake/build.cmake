@@ -2,15 +2,17 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT EMSCRIPTEN) # its programs have no other address
+    set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+endif()
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release)
 endif()
 
 find_program(MANE_CCACHE ccache)
-if(MANE_CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${MANE_CCACHE})
+if(MANE_CCACHE) # paths as seen from a build folder: folders beside each other share what they compile
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${MANE_CCACHE})
 endif()
 
 add_library(mane_flags INTERFACE)
@@ -30,12 +32,20 @@ if(NOT EMSCRIPTEN)
 endif()
 add_library(mane_highway INTERFACE)
 if(CMAKE_CROSSCOMPILING)
-    # The system's packages are for another machine: Highway is header-only here, its instruction set chosen at compile time.
-    set(MANE_HIGHWAY_INCLUDE ${CMAKE_BINARY_DIR}/include)
-    file(MAKE_DIRECTORY ${MANE_HIGHWAY_INCLUDE})
-    find_path(MANE_HIGHWAY_SYSTEM hwy/highway.h PATHS /usr/include NO_CMAKE_FIND_ROOT_PATH REQUIRED)
-    file(CREATE_LINK ${MANE_HIGHWAY_SYSTEM}/hwy ${MANE_HIGHWAY_INCLUDE}/hwy COPY_ON_ERROR SYMBOLIC)
-    target_include_directories(mane_highway SYSTEM INTERFACE ${MANE_HIGHWAY_INCLUDE})
+    # The system's packages are for another machine: of the header-only ones, the headers do. Highway's instruction set is then chosen
+    # at compile time.
+    set(MANE_HEADERS ${CMAKE_BINARY_DIR}/include)
+    file(MAKE_DIRECTORY ${MANE_HEADERS})
+    set(packages hwy/highway.h)
+    if(EMSCRIPTEN) # reads scenes too
+        list(APPEND packages toml++/toml.h nlohmann/json.hpp)
+    endif()
+    foreach(header ${packages})
+        cmake_path(GET header PARENT_PATH package)
+        find_path(MANE_HAS_${package} ${header} PATHS /usr/include NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+        file(CREATE_LINK ${MANE_HAS_${package}}/${package} ${MANE_HEADERS}/${package} COPY_ON_ERROR SYMBOLIC)
+    endforeach()
+    target_include_directories(mane_highway SYSTEM INTERFACE ${MANE_HEADERS})
     target_compile_definitions(mane_highway INTERFACE TOOLCHAIN_MISS_SYS_AUXV_H) # what Highway calls having no choice at run time on Arm
     target_link_libraries(mane_highway INTERFACE $<TARGET_NAME_IF_EXISTS:Threads::Threads>)
 else()
@@ -43,8 +53,10 @@ else()
     target_link_libraries(mane_highway INTERFACE hwy Threads::Threads)
 endif()
 if(EMSCRIPTEN)
-    add_compile_options(-msimd128 -fexceptions)
-    add_link_options(-fexceptions)
+    # -pthread for objects alone: both solvers of the page, with threads and without, are linked from the same ones (viewer/wasm).
+    # The engine's own exceptions: emulated ones take every call that may throw out into JavaScript and back.
+    add_compile_options(-msimd128 -fwasm-exceptions -pthread)
+    add_link_options(-fwasm-exceptions)
 endif()
 
 # SSSE3 would only add to the build: every machine that has it and not SSE4 is from before 2008. SVE's vectors have no size

@@ -31,6 +31,8 @@ struct BonePose {
     Quatd rotation;         ///< unit
     Vec3d velocity;         ///< [m/s], of `position`
     Vec3d angular_velocity; ///< [rad/s], world axes
+
+    bool operator==(const BonePose&) const = default;
 };
 
 /// Prescribed motion of a body's bones, defined and C² at every time (§4.2, M29).

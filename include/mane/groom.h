@@ -16,6 +16,8 @@ struct WispRoot {
     Vec3 inside;                ///< [m] x₀, inside the head
     Vec3 outside;               ///< [m] x₁, just outside the scalp
     Vec3 first_axis; ///< unit, across the wisp: direction of the first half line of section 0
+
+    bool operator==(const WispRoot&) const = default;
 };
 
 /// Hair at rest: what a style or an artist's strands become, and all that the step needs to know of

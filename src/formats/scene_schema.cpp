@@ -66,6 +66,9 @@ Json field_schema(const FieldInfo& field) {
     schema["description"] =
         (field.unit.empty() ? "" : "[" + std::string(field.unit) + "] ") + std::string(field.help);
     schema["default"] = std::visit(DefaultValue{}, field.standard);
+    if (has(field.use, FieldUse::live))
+        schema["x-live"] =
+            true; // of no meaning to JSON schema; the live page makes its sliders from it
     return schema;
 }
 

@@ -80,7 +80,9 @@ class SceneReader {
     void read_section(const toml::key& key, const toml::node& node, const Set& set) const {
         const std::string section(key.str());
         const auto fields = fields_of<SceneDesc>();
-        if (std::ranges::find(fields, section, &Field::section) == fields.end())
+        if (std::none_of(fields.begin(),
+                         fields.end(), // not std::ranges: WebAssembly's library has none
+                         [&](const Field& f) { return f.section == section; }))
             throw InputError(at(key.source()) + ": unknown section [" + section + "]" +
                              similar_section(section));
         const toml::table* table = node.as_table();

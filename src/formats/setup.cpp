@@ -8,7 +8,6 @@
 namespace mane {
 namespace {
 
-/// One bone that follows a bone of another motion: a hat on its head.
 class Follower : public Motion {
   public:
     Follower(std::shared_ptr<const Motion> leader, std::uint32_t bone)
@@ -30,13 +29,6 @@ std::shared_ptr<const Motion> moving(const MotionDesc& desc) {
         return clip_motion(read_bvh(desc.clip), desc.drive);
     constexpr double kDegree = kPi / 180;
     return desc.shake > 0 ? shake_motion(desc.shake * kDegree, desc.shake_rate) : builtin_motion();
-}
-
-std::shared_ptr<const Motion> make_motion(const MotionDesc& desc) {
-    if (desc.still)
-        return nullptr;
-    std::shared_ptr<const Motion> motion = moving(desc);
-    return desc.freeze > 0 ? frozen_motion(std::move(motion), desc.freeze) : motion;
 }
 
 Mesh read_mesh(const std::string& file, double unit, std::vector<std::string>& warnings) {
@@ -114,23 +106,53 @@ Body make_obstacle(const ObstacleDesc& desc, const Body& wearer,
         for (Vec3& v : body.mesh.vertices)
             v = Vec3(keys[0].rotation.rotate(Vec3d(v)) + keys[0].position);
     if (wearer.motion)
-        body.motion = std::make_shared<Follower>(wearer.motion, wearer.head_bone);
+        body.motion = following_motion(wearer.motion, wearer.head_bone);
     return body;
 }
 
 } // namespace
 
+std::shared_ptr<const Motion> following_motion(std::shared_ptr<const Motion> leader,
+                                               std::uint32_t bone) {
+    return std::make_shared<Follower>(std::move(leader), bone);
+}
+
+std::shared_ptr<const Motion> make_motion(const MotionDesc& desc) {
+    if (desc.still)
+        return nullptr;
+    std::shared_ptr<const Motion> motion = moving(desc);
+    return desc.freeze > 0 ? frozen_motion(std::move(motion), desc.freeze) : motion;
+}
+
+Groom grow_hair(const SceneDesc& scene, const Body& wearer, const Vec3& gravity) {
+    return make_groom(lay_hair(scene, wearer), wearer.mesh, gravity);
+}
+
 RunSetup prepare(const SceneDesc& scene) {
+    return prepare(scene, make_motion(scene.motion));
+}
+
+RunSetup prepare(const SceneDesc& scene, std::shared_ptr<const Motion> motion) {
     RunSetup setup;
     setup.scene = write_scene(scene);
     Body wearer =
         scene.character.mesh.empty() ? make_bust() : read_wearer(scene.character, setup.warnings);
-    wearer.motion = make_motion(scene.motion);
-    setup.groom = make_groom(lay_hair(scene, wearer), wearer.mesh, scene.simulation.gravity);
+    wearer.motion = std::move(motion);
+    setup.groom = grow_hair(scene, wearer, scene.simulation.gravity);
     setup.bodies.push_back(wearer);
     for (const ObstacleDesc& obstacle : scene.obstacles)
         setup.bodies.push_back(make_obstacle(obstacle, wearer, setup.warnings));
     return setup;
+}
+
+LiveScene make_live(const SceneDesc& scene, const RunSetup& setup, double start_time,
+                    const RunOptions& options) {
+    return LiveScene(
+        scene, setup.groom, setup.bodies,
+        [wearer = setup.bodies[0], gravity = scene.simulation.gravity](const SceneDesc& now) {
+            return grow_hair(now, wearer, gravity);
+        },
+        start_time, options);
 }
 
 } // namespace mane

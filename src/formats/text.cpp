@@ -1,5 +1,6 @@
 #include "formats/text.h"
 
+#include "base/parse_real.h"
 #include "mane/error.h"
 
 #include <charconv>
@@ -43,23 +44,14 @@ std::string_view take_word(std::string_view& text) {
     return word;
 }
 
-namespace {
-
-// std::from_chars: the same in every locale, and exact.
-template <typename T> bool parse_all(std::string_view word, T& number) {
+bool parse_number(std::string_view word, double& number) {
+    return parse_real(word, number);
+}
+bool parse_number(std::string_view word, long long& number) {
     if (word.size() > 1 && word.front() == '+')
         word.remove_prefix(1);
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     return error == std::errc() && end == word.data() + word.size();
-}
-
-} // namespace
-
-bool parse_number(std::string_view word, double& number) {
-    return parse_all(word, number);
-}
-bool parse_number(std::string_view word, long long& number) {
-    return parse_all(word, number);
 }
 
 void fail_at(const std::string& path, std::size_t line, const std::string& what) {

@@ -61,6 +61,8 @@ class CharacterContacts {
     std::uint64_t react(const HairView& hair, std::span<const ContactBody> bodies,
                         const CharacterContactDesc& desc, State& state, Threads& threads);
 
+    /// As if nothing had been looked for yet: hair or bodies are elsewhere at once.
+    void forget();
     /// What the last `react` moved, in the order of the sections.
     std::span<const Reaction> reactions() const { return reactions_; }
 

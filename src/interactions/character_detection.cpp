@@ -324,6 +324,13 @@ void CharacterContacts::detect(const HairView& hair, std::span<const ContactBody
     });
 }
 
+void CharacterContacts::forget() {
+    regions_.clear();
+    contacts_.clear();
+    carried_.clear();
+    impulses_.clear();
+}
+
 void CharacterContacts::list(const Groom& groom, std::vector<Contact>& contacts) const {
     for (std::size_t w = 0; w < contacts_.size(); ++w)
         for (std::size_t i = 0; i < contacts_[w].size(); ++i) {

@@ -100,7 +100,7 @@ float WispCopy::inverse_mass(const WispPoint& p, const Vec3& e) const {
     const Shares share = shares(p);
     for (int j = 0; j < share.count; ++j) {
         const std::uint32_t s = share.section[j];
-        if (!simulated(s))
+        if (!answers(s))
             continue;
         Vec3 rest = e;
         float envelope = 0;
@@ -124,7 +124,7 @@ void WispCopy::push(const WispPoint& p, const Vec3& impulse) {
     const Shares share = shares(p);
     for (int j = 0; j < share.count; ++j) {
         const std::uint32_t s = share.section[j];
-        if (!simulated(s))
+        if (!answers(s))
             continue;
         Vec3 rest = impulse * share.weight[j];
         if (!p.on_axis()) {

@@ -47,6 +47,8 @@ class WispCopy {
     std::uint32_t sections() const { return static_cast<std::uint32_t>(x.size()); }
     std::uint32_t k() const { return static_cast<std::uint32_t>(lines_.size()); }
     static bool simulated(std::uint32_t section) { return section >= 2; }
+    /// Whether a section answers: simulated and not pinned. Of those whose masses were read.
+    bool answers(std::uint32_t section) const { return mass_[section].across > 0; }
 
     float& r(std::uint32_t section, std::uint32_t line) { return radius[section * k() + line]; }
     float r(std::uint32_t section, std::uint32_t line) const {

@@ -27,7 +27,8 @@ class Reactor {
     void run() {
         find_exempt();
         for (std::uint32_t i = 2; i < wisp_.sections(); ++i) {
-            move_skeleton_point(i);
+            if (wisp_.answers(i))
+                move_skeleton_point(i);
             for (std::uint32_t b = 0; b < bodies_.size(); ++b)
                 lift_axis(i, b);
         }
@@ -201,7 +202,9 @@ class Reactor {
     }
 
     bool lift_ends(std::uint32_t i, std::uint32_t b, const Vec3& lift, float s) {
-        const float first = WispCopy::simulated(i - 1) ? 1 - s : 0.0f;
+        if (!wisp_.answers(i))
+            return wisp_.answers(i - 1) && lift_alone(i - 1, b, lift, 1 - s);
+        const float first = wisp_.answers(i - 1) ? 1 - s : 0.0f;
         const float sum = first * first + s * s;
         const Vec3 before = wisp_.x[i - 1] + lift * (first / sum),
                    here = wisp_.x[i] + lift * (s / sum);
@@ -211,7 +214,11 @@ class Reactor {
             put(i, b, here);
             return true;
         }
-        const Vec3 alone = wisp_.x[i] + lift * std::min(1 / s, kLongestLever);
+        return lift_alone(i, b, lift, s);
+    }
+
+    bool lift_alone(std::uint32_t i, std::uint32_t b, const Vec3& lift, float share) {
+        const Vec3 alone = wisp_.x[i] + lift * std::min(1 / share, kLongestLever);
         if (!may_stand(i, alone))
             return false;
         put(i, b, alone);
@@ -395,7 +402,8 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
     reactions_.clear();
     for (const std::vector<Reaction>& found : reactions)
         reactions_.insert(reactions_.end(), found.begin(), found.end());
-    std::ranges::stable_sort(reactions_, {}, &Reaction::section); // packets are not
+    std::stable_sort(reactions_.begin(), reactions_.end(), // packets are not
+                     [](const Reaction& a, const Reaction& b) { return a.section < b.section; });
     return reactions_.size();
 }
 

@@ -37,6 +37,11 @@ void ContactGeometry::take_velocities(const HairView& hair, Threads& threads) {
                        });
 }
 
+void ContactGeometry::change_design(const Groom& groom) {
+    for (std::uint32_t r = 0; r < points_.order.size(); ++r)
+        points_.rest_area[r] = designed_area(groom, points_.order.section(r));
+}
+
 void ContactGeometry::add_to(State& state, const Layout& layout, const SectionMotion& change,
                              Threads& threads) const {
     threads.run_ranges(layout.packets().size(), kPacketsPerChunk,

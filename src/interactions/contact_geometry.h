@@ -21,6 +21,9 @@ class ContactGeometry {
     void add_to(State& state, const Layout& layout, const SectionMotion& change,
                 Threads& threads) const;
 
+    /// The design has these radii now; the order in memory stays.
+    void change_design(const Groom& groom);
+
     const ContactPoints& points() const { return points_; }
     /// Makes room for the velocities of more points, behind all others.
     void add_points(std::size_t count) { points_.velocity.resize(points_.places() + count); }

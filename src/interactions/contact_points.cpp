@@ -257,6 +257,15 @@ ContactPointKernels contact_point_kernels(const std::string& name) {
     return HWY_DYNAMIC_DISPATCH(point_kernels)();
 }
 
+float designed_area(const Groom& groom, std::uint32_t section) {
+    const std::uint32_t k_count = groom.envelope_points;
+    const float* radius = groom.radius.data() + std::size_t{section} * k_count;
+    float area = 0;
+    for (std::uint32_t k = 0; k < k_count; ++k)
+        area += radius[k] * radius[k + 1 < k_count ? k + 1 : 0];
+    return area;
+}
+
 ContactPoints contact_points(const HairView& hair) {
     constexpr float kFarAway = 1e30f; // [m] where nothing is
     const Groom& groom = hair.groom;
@@ -266,12 +275,8 @@ ContactPoints contact_points(const HairView& hair) {
     p.half_lines.assign(hair.half_lines.begin(), hair.half_lines.end());
     const std::size_t ranks = p.order.size();
     for (std::uint32_t r = 0; r < ranks; ++r) {
-        const std::uint32_t section = p.order.section(r), k_count = groom.envelope_points;
-        const float* radius = groom.radius.data() + std::size_t{section} * k_count;
-        float area = 0;
-        for (std::uint32_t k = 0; k < k_count; ++k)
-            area += radius[k] * radius[k + 1 < k_count ? k + 1 : 0];
-        p.rest_area.push_back(area);
+        const std::uint32_t section = p.order.section(r);
+        p.rest_area.push_back(designed_area(groom, section));
         p.wisp.push_back(hair.layout.wisp_of(section));
         p.held.push_back(hair.layout.simulated(section) ? 0 : 1);
     }

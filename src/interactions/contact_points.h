@@ -63,6 +63,9 @@ struct ContactPoints {
     }
 };
 
+/// Σ r_k r_{k+1} of a section of the design [m²].
+float designed_area(const Groom& groom, std::uint32_t section);
+
 /// The points of a groom, not yet placed.
 ContactPoints contact_points(const HairView& hair);
 

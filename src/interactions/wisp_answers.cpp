@@ -11,6 +11,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
+/// Inverse masses of a segment's ends; held ones have none.
+struct SegmentMatrices {
+    SymmetricOf<double> near, far;
+    bool near_held, far_held;
+};
+inline bool is_held(const WispAnswers& a, std::size_t rank) {
+    return a.inverse_mass[rank].across == 0;
+}
+
 /// Contacts of one segment, at most N at a time.
 template <std::size_t N> class MatrixLanes {
   public:
@@ -30,12 +39,19 @@ template <std::size_t N> class MatrixLanes {
         add_outer(w, half_line_, R::gather(a.shared_envelope.data(), place, 1));
     }
 
-    /// W of a segment, (1 − s)² and s² of its ends; s next to the head (docs/model.md).
-    HWY_INLINE void add_segment(Symmetrics<N>& w, const SymmetricOf<double>& near,
-                                const SymmetricOf<double>& far, bool held) {
+    /// W of a segment, (1 − s)² and s² of its ends; 1 − s and s of an end whose other one is held
+    /// (docs/model.md).
+    HWY_INLINE void add_segment(Symmetrics<N>& w, const SegmentMatrices& segment) {
         const R s = R::load(a.s.data() + slot_), rest = R(1.0) - s;
-        add(w, near, rest * rest);
-        add(w, far, held ? s : s * s);
+        add(w, segment.near, segment.far_held ? rest : rest * rest);
+        add(w, segment.far, segment.near_held ? s : s * s);
+    }
+
+    /// Where only the envelope of a pinned section can give way, W has the direction of its half
+    /// line alone and no inverse: as much in all directions, and it gives way by half.
+    HWY_INLINE void soften_between_held(Symmetrics<N>& w) const {
+        const R across = R::gather(a.shared_across.data(), a.rank.data() + slot_, 1);
+        add_identity(w, select(across > R(0.0), R(0.0), w.xx + w.yy + w.zz));
     }
 
     HWY_INLINE void store(Symmetrics<N> w, const R3& point, const R3& segment) {
@@ -76,11 +92,6 @@ inline SymmetricOf<double> shared_matrix(const ContactPoints& p, const WispAnswe
     return m;
 }
 
-struct SegmentMatrices {
-    SymmetricOf<double> near, far;
-    bool held;
-};
-
 template <std::size_t N>
 HWY_INLINE void find_point_matrices(const ContactPoints& p, WispAnswers& a, std::size_t rank,
                                     const SegmentMatrices& segment, std::size_t slot) {
@@ -88,7 +99,9 @@ HWY_INLINE void find_point_matrices(const ContactPoints& p, WispAnswers& a, std:
     Symmetrics<N> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     Reals3<N> direction;
     lanes.add_point(w, direction);
-    lanes.add_segment(w, segment.near, segment.far, segment.held);
+    lanes.add_segment(w, segment);
+    if (segment.near_held && segment.far_held)
+        lanes.soften_between_held(w);
     lanes.store(w, direction, lanes.same(p.direction[rank]));
 }
 
@@ -100,10 +113,10 @@ inline void find_axis_matrix(const ContactPoints& p, WispAnswers& a, std::size_t
     MatrixLanes<1> lanes(p, a, slot);
     lanes.no_half_line();
     Symmetrics<1> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    add<1>(w, shared_matrix(p, a, point.rank), rest * rest);
-    add<1>(w, shared_matrix(p, a, p.order.next(point.rank)),
-           p.held[point.rank] ? along : along * along);
-    lanes.add_segment(w, segment.near, segment.far, segment.held);
+    const std::uint32_t next = p.order.next(point.rank);
+    add<1>(w, shared_matrix(p, a, point.rank), is_held(a, next) ? rest : rest * rest);
+    add<1>(w, shared_matrix(p, a, next), is_held(a, point.rank) ? along : along * along);
+    lanes.add_segment(w, segment);
     lanes.store(w, lanes.same(p.direction[point.rank]), lanes.same(p.direction[rank]));
 }
 
@@ -111,9 +124,9 @@ void find_matrices(const ContactPoints& p, WispAnswers& a, std::size_t first, st
     for (std::size_t rank = first; rank < last; ++rank) {
         if (a.first[rank] == a.first[rank + 1])
             continue;
-        const SegmentMatrices segment{
-            shared_matrix(p, a, rank),
-            shared_matrix(p, a, p.order.next(static_cast<std::uint32_t>(rank))), p.held[rank] != 0};
+        const std::uint32_t next = p.order.next(static_cast<std::uint32_t>(rank));
+        const SegmentMatrices segment{shared_matrix(p, a, rank), shared_matrix(p, a, next),
+                                      is_held(a, rank), is_held(a, next)};
         std::size_t slot = a.first[rank];
         for (; slot + Reals<8>::kCount <= a.first_axis[rank]; slot += Reals<8>::kCount)
             find_point_matrices<8>(p, a, rank, segment, slot);

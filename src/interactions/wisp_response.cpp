@@ -18,6 +18,10 @@ std::uint32_t whole_quads(std::uint32_t contacts) {
 
 WispResponse::WispResponse(const WispContactDesc& desc, const std::string& instruction_set)
     : kernels_(wisp_answer_kernels(instruction_set)) {
+    change(desc);
+}
+
+void WispResponse::change(const WispContactDesc& desc) {
     answers_.friction = double{desc.friction};
     answers_.sine_fade = sine_of_degrees(desc.fade_angle);
     answers_.sine_full = sine_of_degrees(double{desc.parallel_angle} * 2 / 3);

@@ -25,6 +25,13 @@ class WispResponse {
     /// `instruction_set`: "" for the machine's best.
     explicit WispResponse(const WispContactDesc& desc, const std::string& instruction_set = "");
 
+    /// From the next `prepare` on, contacts are answered as `desc` asks.
+    void change(const WispContactDesc& desc);
+
+    /// From the next `engage` on, masses are those of the hair then: sections were pinned or
+    /// released, or have other masses.
+    void forget_masses() { answers_.inverse_mass.clear(); }
+
     /// Takes the contacts of a detection, which must outlive the next call: they stay engaged until
     /// then (M36).
     void engage(const HairView& hair, ContactGeometry& geometry, const ContactList& list,

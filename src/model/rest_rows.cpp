@@ -11,37 +11,31 @@ RestRows::RestRows(const Groom& groom, const Layout& layout)
         for (std::uint32_t i = 0; i < sections; ++i) {
             const std::uint32_t s = first + i;
             const Slot slot = layout.slot(s);
-            const auto set = [&](Rest column, float value) {
-                rows_.at(slot, static_cast<std::uint32_t>(column)) = value;
-            };
+            const auto set = [&](Rest column, double value) { this->set(slot, column, value); };
 
             const bool has_segment = i + 1 < sections, has_joint = i >= 1 && has_segment;
             if (has_segment)
-                set(Rest::length, groom.rest_length[s]);
+                set(Rest::length, double{groom.rest_length[s]});
             if (has_joint) { // segment 0 is rigid, and joint i bends between segments i−1 and i
-                set(Rest::stretch, groom.stretch_stiffness[s] / groom.rest_length[s]);
-                set(Rest::stretch_damping, groom.stretch_damping[s]);
-                set(Rest::bend, groom.bend_stiffness[s]);
-                set(Rest::bend_damping, groom.bend_damping[s]);
-                set(Rest::curvature_u, groom.rest_curvature_u[s]);
-                set(Rest::curvature_v, groom.rest_curvature_v[s]);
+                set(Rest::stretch, double{groom.stretch_stiffness[s] / groom.rest_length[s]});
+                set(Rest::stretch_damping, double{groom.stretch_damping[s]});
+                set(Rest::bend, double{groom.bend_stiffness[s]});
+                set(Rest::bend_damping, double{groom.bend_damping[s]});
+                set(Rest::curvature_u, double{groom.rest_curvature_u[s]});
+                set(Rest::curvature_v, double{groom.rest_curvature_v[s]});
             }
             double radii = 0;
             for (std::uint32_t e = 0; e < k; ++e)
                 radii += groom.radius[s * k + e];
-            set(Rest::inverse_radius_sum, static_cast<float>(1 / radii));
+            set(Rest::inverse_radius_sum, 1 / radii);
 
             if (layout.simulated(s)) {
-                const double m = groom.envelope_mass[s];
-                const double across = groom.skeleton_mass[s] + m * k / 2,
-                             along = groom.skeleton_mass[s] + m * k;
-                set(Rest::inverse_mass_across, static_cast<float>(1 / across));
-                set(Rest::inverse_mass_extra, static_cast<float>(1 / along - 1 / across));
-                set(Rest::inverse_envelope_mass, static_cast<float>(1 / m));
-                set(Rest::radial, groom.radial_stiffness[s]);
-                set(Rest::radial_damping, groom.radial_damping[s]);
-                set(Rest::ring, groom.ring_stiffness[s]);
-                set(Rest::ring_damping, groom.ring_damping[s]);
+                release(slot, groom, s);
+                set(Rest::inverse_envelope_mass, 1 / double{groom.envelope_mass[s]});
+                set(Rest::radial, double{groom.radial_stiffness[s]});
+                set(Rest::radial_damping, double{groom.radial_damping[s]});
+                set(Rest::ring, double{groom.ring_stiffness[s]});
+                set(Rest::ring_damping, double{groom.ring_damping[s]});
             }
             for (std::uint32_t e = 0; e < k; ++e) {
                 rows_.at(slot, kColumns + e) = groom.rest_radius[s * k + e];
@@ -57,6 +51,19 @@ RestRows::RestRows(const Groom& groom, const Layout& layout)
             square_thickness_ = square_thickness_ && power == 2.f;
         }
     }
+}
+
+void RestRows::hold(Slot slot) {
+    set(slot, Rest::inverse_mass_across, 0);
+    set(slot, Rest::inverse_mass_extra, 0);
+}
+
+void RestRows::release(Slot slot, const Groom& groom, std::uint32_t section) {
+    const double k = groom.envelope_points, m = groom.envelope_mass[section];
+    const double across = groom.skeleton_mass[section] + m * k / 2,
+                 along = groom.skeleton_mass[section] + m * k;
+    set(slot, Rest::inverse_mass_across, 1 / across);
+    set(slot, Rest::inverse_mass_extra, 1 / along - 1 / across);
 }
 
 } // namespace mane

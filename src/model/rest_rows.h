@@ -38,12 +38,21 @@ class RestRows {
         return rows_.at(slot, static_cast<std::uint32_t>(column));
     }
 
+    /// Takes a simulated section's skeleton point out of the play of forces, or back in: whatever
+    /// acts on it, it does not answer. Its envelope still does.
+    void hold(Slot slot);
+    void release(Slot slot, const Groom& groom, std::uint32_t section);
+
     /// M3's power p per packet lane, and whether it is 2 for every wisp (the common case needs no
     /// power function).
     const Rows& thickness_power() const { return thickness_power_; }
     bool square_thickness() const { return square_thickness_; }
 
   private:
+    void set(Slot slot, Rest column, double value) {
+        rows_.at(slot, static_cast<std::uint32_t>(column)) = static_cast<float>(value);
+    }
+
     Rows rows_;
     Rows thickness_power_; ///< one row per packet
     bool square_thickness_ = true;

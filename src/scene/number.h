@@ -1,17 +1,12 @@
 #pragma once
 
+#include "base/parse_real.h"
+
 #include <locale>
 #include <sstream>
 #include <string>
 
 namespace mane {
-
-/// Reads all of `text` as a number, whatever the program's locale. False if it is none.
-template <typename Real> bool parse_real(const std::string& text, Real& x) {
-    std::istringstream in(text);
-    in.imbue(std::locale::classic());
-    return static_cast<bool>(in >> x) && in.peek() == std::istringstream::traits_type::eof();
-}
 
 /// The shortest text that reads back as the same number; plain digits where they are few.
 /// With streams, because the library of WebAssembly has no std::to_chars for reals yet.

@@ -51,6 +51,10 @@ Cast::Cast(std::vector<Body> bodies) : bodies_(std::move(bodies)), posed_(bodies
     }
 }
 
+std::size_t Cast::bones(std::size_t b) const {
+    return bone_count(bodies_[b]);
+}
+
 std::span<const BonePose> Cast::bones_at(std::size_t b, double time) const {
     bones_.assign(bone_count(bodies_[b]), BonePose{});
     if (bodies_[b].motion)
@@ -95,8 +99,8 @@ std::vector<std::string> Cast::names() const {
 }
 
 Vec3d Cast::on_head(const Vec3d& rest, double time) const {
-    const BonePose& head = bones_at(0, time)[bodies_[0].head_bone];
-    return head.rotation.rotate(rest) + head.position;
+    const BonePose pose = head(time);
+    return pose.rotation.rotate(rest) + pose.position;
 }
 
 Vec3d Cast::carried_like(std::size_t vertex, const Vec3d& rest, double time) const {

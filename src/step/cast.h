@@ -31,6 +31,13 @@ class Cast {
     std::vector<ContactBody> contact_bodies() const;
     std::vector<std::string> names() const;
 
+    std::size_t bones(std::size_t b) const;
+    /// A bone of body `b` at `time`.
+    BonePose bone(std::size_t b, std::uint32_t bone, double time) const {
+        return bones_at(b, time)[bone];
+    }
+    /// The first body's head at `time`.
+    BonePose head(double time) const { return bone(0, bodies_[0].head_bone, time); }
     /// World position [m] at `time` of a point fixed to the first body's head, given in its rest
     /// pose.
     Vec3d on_head(const Vec3d& rest, double time) const;

@@ -46,16 +46,38 @@ RootState root_state(const WispRoot& root, const Mesh& mesh, std::span<const Vec
             Vec3(on.rate + inside.rate),   Vec3(on.rate + outside.rate),   Vec3(axis.rate)};
 }
 
+namespace {
+
+/// Between two roots on the same place of the skin.
+RootState between(const RootState& a, const RootState& b, float share, float rate) {
+    const auto at = [share](const Vec3& from, const Vec3& to) {
+        return from + (to - from) * share;
+    };
+    const auto moving = [&](const Vec3& v_from, const Vec3& v_to, const Vec3& from,
+                            const Vec3& to) { return at(v_from, v_to) + (to - from) * rate; };
+    return {at(a.inside, b.inside),
+            at(a.outside, b.outside),
+            at(a.axis, b.axis),
+            moving(a.inside_velocity, b.inside_velocity, a.inside, b.inside),
+            moving(a.outside_velocity, b.outside_velocity, a.outside, b.outside),
+            moving(a.axis_velocity, b.axis_velocity, a.axis, b.axis)};
+}
+
+} // namespace
+
 void follow_scalp(const Groom& groom, const Layout& layout, const Mesh& mesh,
                   std::span<const Vec3> vertices, std::span<const Vec3> velocities, int end,
-                  RootMotion& motion) {
+                  RootMotion& motion, const RootChange& change) {
     for (std::size_t p = 0; p < layout.packets().size(); ++p) {
         const Packet& packet = layout.packets()[p];
         for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
             if (packet.wisp[lane] == Layout::kNoWisp)
                 continue;
-            const RootState r =
-                root_state(groom.roots[packet.wisp[lane]], mesh, vertices, velocities);
+            const std::uint32_t w = packet.wisp[lane];
+            RootState r = root_state(groom.roots[w], mesh, vertices, velocities);
+            if (!change.from.empty())
+                r = between(root_state(change.from[w], mesh, vertices, velocities), r,
+                            static_cast<float>(change.share), static_cast<float>(change.rate));
             const auto set = [&](RootMotion::Column column, const Vec3& value,
                                  const Vec3& velocity) {
                 const Vec3 slope = velocity * motion.seconds;

@@ -6,6 +6,7 @@
 #include "step/kernels.h"
 
 #include <span>
+#include <vector>
 
 namespace mane {
 
@@ -20,9 +21,16 @@ struct RootState {
 RootState root_state(const WispRoot& root, const Mesh& mesh, std::span<const Vec3> vertices,
                      std::span<const Vec3> velocities);
 
+/// Roots on their way from those of another groom: `share` of it is behind them, and `rate` [1/s]
+/// more per second.
+struct RootChange {
+    std::vector<WispRoot> from; ///< per wisp; empty: no change
+    double share = 1, rate = 0;
+};
+
 /// Writes the roots of all wisps into one end (0 or 1) of the block's motion.
 void follow_scalp(const Groom& groom, const Layout& layout, const Mesh& mesh,
                   std::span<const Vec3> vertices, std::span<const Vec3> velocities, int end,
-                  RootMotion& motion);
+                  RootMotion& motion, const RootChange& change = {});
 
 } // namespace mane

@@ -19,6 +19,10 @@ class Schedule {
     std::uint32_t wisp_detections() const { return wisp_detections_; }
     /// [s] of one integration step.
     double step_seconds() const { return step_seconds_; }
+    /// Whether frames and steps are as long as another's.
+    bool same_steps(const Schedule& other) const {
+        return steps_ == other.steps_ && step_seconds_ == other.step_seconds_;
+    }
     /// First step of block b in [0, blocks]; a character detection follows the last step of each
     /// block.
     std::uint32_t block_begin(std::uint32_t b) const {

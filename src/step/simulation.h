@@ -9,6 +9,7 @@
 #include "model/rest_rows.h"
 #include "model/state.h"
 #include "step/air.h"
+#include "step/held.h"
 #include "step/kernels.h"
 #include "step/schedule.h"
 
@@ -34,6 +35,7 @@ struct Simulation {
     State state;
     Rows root_axis;   ///< u₀ now, one row per packet
     RootMotion roots; ///< over the present block
+    Held held;        ///< over the present block
     ContactGeometry contact_geometry;
     WispDetection wisp_detection;
     WispResponse wisp_response;

@@ -62,11 +62,13 @@ void answer_character_contacts(Simulation& s, const StepPlace& place) {
 }
 
 /// 1. Forces: gravity, air resistance, springs; and the first half of 3., velocities from them.
-void process_forces(Simulation& s) {
+void process_forces(Simulation& s, const StepPlace& place) {
     const StageTimer timer(s, Stage::forces);
     const KernelData data = s.kernel_data();
+    s.held.note_velocities(s.state);
     s.for_packets(
         [&](std::size_t first, std::size_t last) { s.kernels.process_forces(data, first, last); });
+    s.held.accelerate_envelopes(data, place.end());
 }
 
 /// 2. Interactions between pairs of wisps, and between wisps and the character. Forces and
@@ -91,6 +93,7 @@ void modify_velocities(Simulation& s, const StepPlace& place) {
     s.for_packets([&](std::size_t first, std::size_t last) {
         s.kernels.move_root_velocities(data, place.end(), first, last);
     });
+    s.held.move(s.state, place.end(), data.roots.seconds);
     if (s.desc.wisps.mode != WispContactMode::off)
         answer_wisp_contacts(s, place);
     answer_character_contacts(s, place);
@@ -103,6 +106,7 @@ void process_positions(Simulation& s, const StepPlace& place) {
     s.for_packets([&](std::size_t first, std::size_t last) {
         s.kernels.process_positions(data, place.end(), first, last);
     });
+    s.held.place(s.state, place.end());
 }
 
 /// 4. The position modifications: on the new positions, against the character at the step's end.
@@ -123,7 +127,7 @@ void step(Simulation& s, const StepPlace& place, double time) {
     if (place.first())
         feel_wind(s, time);
     detect_interactions(s, place);
-    process_forces(s);
+    process_forces(s, place);
     modify_velocities(s, place);
     process_positions(s, place);
     modify_positions(s, place);
