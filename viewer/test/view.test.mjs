@@ -33,6 +33,8 @@ export async function tests({ mane, browser, folder, project, renew }) {
         try {
             await page.waitForFunction(() => window.mane);
             if (stage) {
+                await page.evaluate(() => (window.mane.view.rounds = 1)); // the same picture on fast machines
+
                 await page.addStyleTag({
                     content: `#stage { position: fixed !important; inset: 50px auto auto 0; width: ${stage[0]}px; height: ${stage[1]}px; z-index: 5 }
                         #stage .views { position: fixed !important; left: 280px; top: 60px; width: 250px } #stage .hud { position: fixed !important; left: 280px; bottom: auto; top: 170px }`,
@@ -241,15 +243,26 @@ export async function tests({ mane, browser, folder, project, renew }) {
         ["view: a PNG of the frame", () => within(recorded(), async (page) => {
             await few(page);
             await settled(page);
-            const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "PNG" }).click()]);
-            assert.equal(download.suggestedFilename(), "recorded-0000.png");
-            const png = readFileSync(await download.path());
+            const save = async (options) => {
+                const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "PNG" }).click(options)]);
+                assert.equal(download.suggestedFilename(), "recorded-0000.png");
+                return readFileSync(await download.path());
+            };
+            const png = await save();
             assert.equal(png.subarray(1, 4).toString(), "PNG");
             const size = await page.evaluate(() => [window.mane.view.canvas.width, window.mane.view.canvas.height]);
             assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], size);
             const { mean } = await perceptualDifference(page, png, png);
             assert.equal(mean, 0);
             assert(png.length > 20_000, "an empty picture");
+            const cornerOpacity = (bytes) => page.evaluate(async (base64) => {
+                const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+                const context = new OffscreenCanvas(1, 1).getContext("2d");
+                context.drawImage(image, 0, 0);
+                return context.getImageData(0, 0, 1, 1).data[3];
+            }, bytes.toString("base64"));
+            assert.equal(await cornerOpacity(png), 255);
+            assert.equal(await cornerOpacity(await save({ modifiers: ["Shift"] })), 0);
         })],
         ["view: a plot jumps where it is clicked", () => within(recorded(), async (page) => {
             await few(page);

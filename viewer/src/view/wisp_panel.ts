@@ -5,6 +5,7 @@ import { contactPoint, isPenetration, isWithBody, kContactKinds, otherWisp, type
 import { kContactColours, channels } from "./figures";
 import type { Run } from "./run";
 
+const kLongest = 0.06; // [m] of an arrow
 const kListed = 40; // contacts of a group; the others are counted
 
 /** Contacts of one kind with one partner. */
@@ -191,7 +192,7 @@ export class WispPanel {
         return own ? this.wisp : otherWisp(this.run.hair, contact, this.wisp);
     }
 
-    /** Dots where the contacts are, arrows for what they do to this wisp: the strongest 4 cm long. */
+    /** Dots where the contacts are, arrows for what they do to this wisp: the strongest `kLongest` long. */
     private mark(list: readonly Contact[], frame: number): void {
         const { run, view } = this,
             marks = view.marks,
@@ -207,7 +208,7 @@ export class WispPanel {
             // The other side got the opposite.
             const sign = this.ownerOf(contact) === this.wisp ? 1 : -1;
             if (share > 0.15)
-                marks.arrow(p, p.map((x, i) => x + sign * contact.direction[i] * 0.04 * share), 2, 0.35, [r, g, b, 0.95]);
+                marks.arrow(p, p.map((x, i) => x + sign * contact.direction[i] * kLongest * share), 2, 0.35, [r, g, b, 0.95]);
         }
     }
 }
