@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds mane, simulates the paper's long hair on the built-in character, checks the result, and leaves a
-# picture and the strands. Says where they are.
+# page that plays it, a picture and the strands. Says where they are.
 set -euo pipefail
 cd "$(dirname "$0")"
 source scripts/setup.sh
@@ -12,12 +12,15 @@ cmake --build --preset release
 
 mane=build/release/tools/mane
 mkdir -p out
-"$mane" simulate scenes/long.toml -o out/long.mane --threads 0
+"$mane" simulate scenes/long.toml -o out/long.mane --threads 0 --record
 "$mane" check out/long.mane || echo "some criteria are not met: see the table above"
 "$mane" picture out/long.mane --frame 96 -o out/long.png
+"$mane" view out/long.mane -o out/long.html
 "$mane" extract out/long.mane --frame 96 --layer strands -o out/long.hair
 
 echo
 echo "the simulation:      out/long.mane   (build/release/tools/mane info out/long.mane)"
 echo "a picture of it:     out/long.png"
 echo "100,000 strands:     out/long.hair"
+echo
+echo "open this in a browser: $PWD/out/long.html"

@@ -38,7 +38,7 @@ fi
 passed=$(grep -oE 'test cases: +[0-9]+ \| +[0-9]+ passed' "$log" | awk '{n += $5} END {print n + 0}')
 failed=$(grep -oE '\| +[0-9]+ failed \|.*skipped' "$log" | grep -v assertions | awk '{n += $2} END {print n + 0}')
 other_failed=$(grep -cE '^ *[0-9]+/[0-9]+ Test.*(Failed|Timeout|Not Run|Exception)' "$log" || true)
-other_passed=$(grep -cE '^script test passed' "$log" || true)
+other_passed=$(grep -cE '^([0-9]+: )?script test passed' "$log" || true)
 skipped=$(grep -cE 'skipped: ' "$log" || true)
 [ "$failed" -ge "$other_failed" ] || failed=$other_failed
 if [ ${#failed_presets[@]} -gt 0 ]; then

@@ -11,8 +11,8 @@ if(NOT CMAKE_BUILD_TYPE)
 endif()
 
 find_program(MANE_CCACHE ccache)
-if(MANE_CCACHE)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${MANE_CCACHE})
+if(MANE_CCACHE) # paths as seen from a build folder: folders beside each other share what they compile
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${MANE_CCACHE})
 endif()
 
 add_library(mane_flags INTERFACE)

@@ -20,6 +20,27 @@ function(mane_room name)
     foreach(other ${ARG_DEPENDS})
         target_include_directories(mane_${name} ${scope} ${PROJECT_BINARY_DIR}/rooms/${other})
     endforeach()
+    if(EMSCRIPTEN AND sources)
+        mane_compile_for_one_thread(${name} ${sources})
+    endif()
+endfunction()
+
+# The files of a room where threads own something, compiled once more for no threads. Without threads, the linker of LLVM 14 adds the
+# place of what a thread owns to its address twice. Programs for one thread link these objects first, instead of the library's.
+function(mane_compile_for_one_thread name)
+    foreach(source ${ARGN})
+        file(STRINGS ${source} owned REGEX "thread_local")
+        if(owned)
+            list(APPEND owners ${source})
+        endif()
+    endforeach()
+    if(owners)
+        add_library(mane_${name}_one_thread OBJECT ${owners})
+        target_link_libraries(mane_${name}_one_thread PRIVATE mane_flags mane_highway)
+        target_include_directories(mane_${name}_one_thread PRIVATE $<TARGET_PROPERTY:mane_${name},INCLUDE_DIRECTORIES>)
+        target_compile_options(mane_${name}_one_thread PRIVATE -no-pthread)
+        set_property(GLOBAL APPEND PROPERTY MANE_ONE_THREAD_OBJECTS $<TARGET_OBJECTS:mane_${name}_one_thread>)
+    endif()
 endfunction()
 
 # All rooms of the core in one library, as users link it.

@@ -78,6 +78,16 @@ struct ViewOptions {
 };
 int view(const ViewOptions& options);
 
+struct LiveOptions {
+    std::string scene; ///< empty: the page's own
+    std::string output;
+    std::vector<std::string> settings;
+    std::string rates;
+    bool serve = false;
+    int port = 8750;
+};
+int live(const LiveOptions& options);
+
 struct CheckOptions {
     std::string file;
     bool json = false;

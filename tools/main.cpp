@@ -18,6 +18,7 @@ constexpr const char* kExamples = R"(Examples:
   mane extract long.mane --frame 100 -o long.hair
   mane picture long.mane --frame 0 60 120 --view face profile back -o long.png
   mane view long.mane -o long.html
+  mane live -o live.html
   mane info long.mane
   mane bench --only styles --runs 3
   mane help scene skeleton
@@ -162,6 +163,29 @@ void add_view(CLI::App& app, Run& run) {
     command->callback([&run] { run = [] { return view(o); }; });
 }
 
+void add_live(CLI::App& app, Run& run) {
+    static LiveOptions o;
+    CLI::App* command = app.add_subcommand(
+        "live", "A page that simulates in a browser: drag the head, change parameters");
+    command->add_option("SCENE", o.scene, "scene file (TOML) to begin with; the page has the paper's");
+    command
+        ->add_option("-o,--output", o.output,
+                     "page to write, opened without a network; or, ending in /, a folder for a web "
+                     "server, which may use threads")
+        ->type_name("PAGE.html|FOLDER/");
+    command->add_flag("--serve", o.serve, "serve the page on this machine, with threads");
+    command->add_option("--port", o.port, "of --serve; 0: any that is free")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str();
+    command
+        ->add_option("--set", o.settings,
+                     "another value for a field of the scene: section.key=value")
+        ->allow_extra_args(false);
+    command->add_option("--rates", o.rates,
+                        "preset of the rates: default, paper, fine, paper-literal");
+    command->callback([&run] { run = [] { return live(o); }; });
+}
+
 void add_bench(CLI::App& app, Run& run) {
     static BenchOptions o;
     CLI::App* command = app.add_subcommand(
@@ -216,6 +240,7 @@ int run_command(int argc, char** argv) {
     add_picture(app, run);
 #endif
     add_view(app, run);
+    add_live(app, run);
     add_bench(app, run);
     add_help(app, run);
     try {

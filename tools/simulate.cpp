@@ -60,32 +60,58 @@ std::vector<Column> difference(const Statistics& before, const Statistics& now) 
     return table;
 }
 
-/// The contacts of a frame, one per row.
+/// A table of records, one per row, a column from each.
+template <typename R> class Columns {
+  public:
+    explicit Columns(const std::vector<R>& records) : records_(records) {}
+    template <typename Of> Columns& whole(const char* name, Of&& of) {
+        return add<std::uint32_t>(name, "1", of);
+    }
+    template <typename Of> Columns& real(const char* name, const char* unit, Of&& of) {
+        return add<float>(name, unit, of);
+    }
+    template <typename Of> Columns& vector(const std::string& name, const char* unit, Of&& of) {
+        add<float>(name + "_x", unit, [&](const R& r) { return of(r).x; });
+        add<float>(name + "_y", unit, [&](const R& r) { return of(r).y; });
+        return add<float>(name + "_z", unit, [&](const R& r) { return of(r).z; });
+    }
+    std::vector<Column> table() { return std::move(table_); }
+
+  private:
+    template <typename T, typename Of>
+    Columns& add(const std::string& name, const char* unit, Of&& of) {
+        std::vector<T> column;
+        column.reserve(records_.size());
+        for (const R& record : records_)
+            column.push_back(static_cast<T>(of(record)));
+        table_.push_back({name, unit, std::move(column)});
+        return *this;
+    }
+    const std::vector<R>& records_;
+    std::vector<Column> table_;
+};
+
 std::vector<Column> contact_table(const std::vector<Contact>& contacts) {
-    const auto whole = [&](const char* name, auto&& of) {
-        std::vector<std::uint32_t> column;
-        column.reserve(contacts.size());
-        for (const Contact& c : contacts)
-            column.push_back(static_cast<std::uint32_t>(of(c)));
-        return Column{name, "1", std::move(column)};
-    };
-    const auto real = [&](const char* name, const char* unit, auto&& of) {
-        std::vector<float> column;
-        column.reserve(contacts.size());
-        for (const Contact& c : contacts)
-            column.push_back(of(c));
-        return Column{name, unit, std::move(column)};
-    };
-    return {whole("kind", [](const Contact& c) { return c.kind; }),
-            whole("section", [](const Contact& c) { return c.section; }),
-            whole("point", [](const Contact& c) { return c.point; }),
-            real("along", "1", [](const Contact& c) { return c.along; }),
-            whole("other", [](const Contact& c) { return c.other; }),
-            real("other_along", "1", [](const Contact& c) { return c.other_along; }),
-            whole("body", [](const Contact& c) { return c.body; }),
-            real("impulse_x", "N s", [](const Contact& c) { return c.impulse.x; }),
-            real("impulse_y", "N s", [](const Contact& c) { return c.impulse.y; }),
-            real("impulse_z", "N s", [](const Contact& c) { return c.impulse.z; })};
+    return Columns(contacts)
+        .whole("kind", [](const Contact& c) { return c.kind; })
+        .whole("section", [](const Contact& c) { return c.section; })
+        .whole("point", [](const Contact& c) { return c.point; })
+        .real("along", "1", [](const Contact& c) { return c.along; })
+        .whole("other", [](const Contact& c) { return c.other; })
+        .real("other_along", "1", [](const Contact& c) { return c.other_along; })
+        .whole("body", [](const Contact& c) { return c.body; })
+        .vector("impulse", "N s", [](const Contact& c) { return c.impulse; })
+        .table();
+}
+
+std::vector<Column> reaction_table(const std::vector<Reaction>& reactions) {
+    return Columns(reactions)
+        .whole("section", [](const Reaction& r) { return r.section; })
+        .whole("point", [](const Reaction& r) { return r.point; })
+        .whole("body", [](const Reaction& r) { return r.body; })
+        .whole("triangle", [](const Reaction& r) { return r.triangle; })
+        .vector("shift", "m", [](const Reaction& r) { return r.shift; })
+        .table();
 }
 
 /// One run: the preroll, which is not stored, and the frames of the scene.
@@ -155,6 +181,7 @@ class Run {
         if (options_.record) {
             cache.add_table("PROF", index, difference(before_, world_.statistics()));
             cache.add_table("CONT", index, contact_table(world_.contacts()));
+            cache.add_table("REAC", index, reaction_table(world_.reactions()));
         }
         writing_seconds_ += seconds_since(start);
         if (trace_)

@@ -1,5 +1,5 @@
-// Builds the pages: node build.mjs OUTPUT_FOLDER [PAGE…]. A page is a folder of src/ with a main.ts, a page.html and a page.css;
-// script and style go into the HTML, so that one file opens from a disk without a network.
+// Builds the pages: node build.mjs OUTPUT_FOLDER [PAGE…]. A page is a folder of src/ with a main.ts, a page.html and a page.css (and
+// a worker.ts, if it has a worker); script and style go into the HTML, so that one file opens from a disk without a network.
 import { build } from "esbuild";
 import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -43,7 +43,7 @@ async function bundle(entry, format) {
         target: "es2022",
         charset: "utf8",
         outdir: output,
-        loader: { ".svg": "text" },
+        loader: { ".svg": "text", ".toml": "text" },
         plugins: [shaders],
         logLevel: "warning",
     });
@@ -57,8 +57,11 @@ for (const page of pages) {
         style: `<style>\n${await bundle(join(folder, "page.css"))}\n</style>`,
         script: `<script type="module">\n${await bundle(join(folder, "main.ts"), "esm")}\n</script>`,
     };
+    // A worker's script, as text: from a disk only what the page holds itself can be started.
+    const worker = join(folder, "worker.ts");
+    if (existsSync(worker)) parts.worker = `<script type="text/plain" id="worker">\n${await bundle(worker, "iife")}\n</script>`;
     const html = readFileSync(join(folder, "page.html"), "utf8");
-    const whole = html.replace(/<!-- (style|script) -->/g, (_, part) => parts[part]);
+    const whole = html.replace(/<!-- (style|script|worker) -->/g, (_, part) => parts[part]);
     writeFileSync(join(output, `${page}.html`), whole);
     console.log(`${page}.html  ${(whole.length / 1000).toFixed(0)} kB`);
 }

@@ -26,4 +26,14 @@ struct Contact {
     Vec3 impulse;              ///< [N·s] on the point; the other side got the opposite
 };
 
+/// A penetration reaction (§4.2, M32): a point that was inside a body and has been moved. Its
+/// velocity stays as it was.
+struct Reaction {
+    std::uint32_t section = 0;  ///< of the point, an index of the groom
+    std::uint8_t point = 0;     ///< 0: the skeleton point, 1 + k: envelope point k
+    std::uint32_t body = 0;     ///< which body
+    std::uint32_t triangle = 0; ///< the body's, nearest to where the point is now
+    Vec3 shift;                 ///< [m] by which it was moved
+};
+
 } // namespace mane

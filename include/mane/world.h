@@ -135,6 +135,9 @@ class World {
     /// All contacts that are engaged now, wisps' before bodies', each in the order of their
     /// sections. Made anew by each call.
     std::vector<Contact> contacts() const;
+    /// The penetration reactions of the last `advance`: detection after detection, each in the
+    /// order of the sections. A point may be moved several times.
+    const std::vector<Reaction>& reactions() const;
     const Groom& groom() const;
     const Statistics& statistics() const;
     /// A hash over every bit of positions, velocities, radii and rates: equal for any thread count

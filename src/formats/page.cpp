@@ -37,14 +37,10 @@ const char* distribution_name(StrandDistribution distribution) {
 }
 
 nlohmann::ordered_json describe(const StrandDesc& desc) {
-    return {{"count", desc.count},
-            {"distribution", distribution_name(desc.distribution)},
-            {"jitter", desc.jitter},
-            {"lengthJitter", desc.length_jitter},
-            {"waves", desc.waves},
-            {"waveAmplitude", desc.wave_amplitude},
-            {"curls", 0},
-            {"rootWidth", desc.root_width},
+    return {{"count", desc.count},       {"distribution", distribution_name(desc.distribution)},
+            {"jitter", desc.jitter},     {"lengthJitter", desc.length_jitter},
+            {"waves", desc.waves},       {"waveAmplitude", desc.wave_amplitude},
+            {"curls", desc.curls},       {"rootWidth", desc.root_width},
             {"tipWidth", desc.tip_width}};
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// [1] Octaves of strength are told apart in as many steps: 1 % each way.
 constexpr float kStepsPerOctave = 32;
-constexpr float kWeakest = 60; // octaves under 1 N·s; what is weaker counts as none
+constexpr float kWeakest = 60; // octaves under 1 N·s, or 1 m; what is weaker counts as none
 
 /// 0 for none, else steps above the weakest.
 std::uint32_t strength_steps(float strength) {
@@ -69,36 +69,65 @@ struct Columns {
     std::vector<std::uint32_t> kind, point, section, along, other, other_along, body;
     std::vector<std::uint32_t> strength, direction_x, direction_y;
 
-    void add_frame(const Table& table) {
+    void add_contacts(const Table& table) {
         const auto& sections = table.get<std::uint32_t>("section");
         count.push_back(static_cast<std::uint32_t>(sections.size()));
-        const auto take = [&](std::vector<std::uint32_t>& out, const char* name) {
-            const auto& values = table.get<std::uint32_t>(name);
-            out.insert(out.end(), values.begin(), values.end());
-        };
-        take(kind, "kind");
-        take(point, "point");
-        take(other, "other");
-        take(body, "body");
-        std::uint32_t before = 0; // they come in the order of sections, wisps' before bodies'
-        for (const std::uint32_t s : sections) {
-            section.push_back(s - before);
-            before = s;
-        }
+        take(table, kind, "kind");
+        take(table, point, "point");
+        take(table, other, "other");
+        take(table, body, "body");
         for (const float x : table.get<float>("along"))
             along.push_back(share_in_steps(x));
         for (const float x : table.get<float>("other_along"))
             other_along.push_back(share_in_steps(x));
-        const auto &x = table.get<float>("impulse_x"), &y = table.get<float>("impulse_y"),
-                   &z = table.get<float>("impulse_z");
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const Vec3 impulse{x[i], y[i], z[i]};
-            const auto [u, v] = octahedral(impulse);
-            strength.push_back(strength_steps(length(impulse)));
-            direction_x.push_back(u);
-            direction_y.push_back(v);
+        before_ = 0;
+        add_sections(sections);
+        add_vectors(table, "impulse");
+    }
+
+    /// Penetration reactions, as one more kind, behind the contacts of their frame.
+    void add_reactions(const Table& table) {
+        const auto& sections = table.get<std::uint32_t>("section");
+        count.back() += static_cast<std::uint32_t>(sections.size());
+        kind.insert(kind.end(), sections.size(), kReaction);
+        along.insert(along.end(), sections.size(), 0);
+        other_along.insert(other_along.end(), sections.size(), 0);
+        take(table, point, "point");
+        take(table, other, "triangle");
+        take(table, body, "body");
+        add_sections(sections);
+        add_vectors(table, "shift");
+    }
+
+  private:
+    static constexpr std::uint32_t kReaction = 3;
+
+    static void take(const Table& table, std::vector<std::uint32_t>& out, const char* name) {
+        const auto& values = table.get<std::uint32_t>(name);
+        out.insert(out.end(), values.begin(), values.end());
+    }
+
+    /// As differences modulo 2³²: wisps' contacts come before bodies', each by rising sections.
+    void add_sections(const std::vector<std::uint32_t>& sections) {
+        for (const std::uint32_t s : sections) {
+            section.push_back(s - before_);
+            before_ = s;
         }
     }
+
+    void add_vectors(const Table& table, const std::string& name) {
+        const auto &x = table.get<float>(name + "_x"), &y = table.get<float>(name + "_y"),
+                   &z = table.get<float>(name + "_z");
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const Vec3 v{x[i], y[i], z[i]};
+            const auto [across, up] = octahedral(v);
+            strength.push_back(strength_steps(length(v)));
+            direction_x.push_back(across);
+            direction_y.push_back(up);
+        }
+    }
+
+    std::uint32_t before_ = 0; // the last section of the frame so far
 };
 
 } // namespace
@@ -106,10 +135,12 @@ struct Columns {
 void add_contacts(const CacheReader& run, PagePayload& payload) {
     Columns columns;
     for (std::size_t i = 0; i < run.frame_count(); ++i) {
-        const Table table(run.table("CONT", static_cast<std::uint32_t>(i)), i);
-        if (table.empty())
+        const auto number = static_cast<std::uint32_t>(i);
+        const Table contacts(run.table("CONT", number), i), reactions(run.table("REAC", number), i);
+        if (contacts.empty() || reactions.empty())
             return; // the run was not recorded, or not to its end
-        columns.add_frame(table);
+        columns.add_contacts(contacts);
+        columns.add_reactions(reactions);
     }
     payload.header()["contacts"] = {{"strength_steps_per_octave", kStepsPerOctave},
                                     {"weakest_octave", -kWeakest}};

@@ -100,10 +100,14 @@ std::string PagePayload::packed() const {
     align(whole);
     append(whole, data_.data(), data_.size());
 
-    uLongf length = compressBound(static_cast<uLong>(whole.size()));
+    return deflated({reinterpret_cast<const char*>(whole.data()), whole.size()});
+}
+
+std::string deflated(std::string_view bytes) {
+    uLongf length = compressBound(static_cast<uLong>(bytes.size()));
     std::string packed(length, '\0');
     if (compress2(reinterpret_cast<Bytef*>(packed.data()), &length,
-                  reinterpret_cast<const Bytef*>(whole.data()), static_cast<uLong>(whole.size()),
+                  reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()),
                   Z_DEFAULT_COMPRESSION) != Z_OK)
         throw InputError("the page's data is too large to be packed");
     packed.resize(length);

@@ -46,6 +46,8 @@ class PagePayload {
     Bytes data_;
 };
 
+/// Packed by zlib's deflate.
+std::string deflated(std::string_view bytes);
 /// Text that stands for bytes in an HTML page (RFC 4648, with padding).
 std::string base64(std::string_view bytes);
 

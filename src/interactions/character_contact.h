@@ -63,6 +63,8 @@ class CharacterContacts {
 
     /// As if nothing had been looked for yet: hair or bodies are elsewhere at once.
     void forget();
+    /// What the last `react` moved, in the order of the sections.
+    std::span<const Reaction> reactions() const { return reactions_; }
 
     std::span<const SlidingContact> of_wisp(std::size_t wisp) const { return contacts_[wisp]; }
     std::uint64_t count() const;
@@ -77,6 +79,7 @@ class CharacterContacts {
     std::vector<CharacterRegions> regions_;             // per body
     std::vector<std::vector<SlidingContact>> contacts_; // per wisp
     std::vector<std::vector<CarriedPoint>> carried_;    // per wisp: bodies × sections
+    std::vector<Reaction> reactions_;
     double duration_ = 0;
     std::vector<std::vector<Vec3>> impulses_; // per wisp and contact, of the last step
     std::vector<SlidingResponse> responses_;  // scratch, per chunk of wisps

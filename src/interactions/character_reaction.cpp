@@ -24,7 +24,7 @@ class Reactor {
 
     CharacterBearings& bearings() { return bearings_; }
 
-    std::uint64_t run() {
+    void run() {
         find_exempt();
         for (std::uint32_t i = 2; i < wisp_.sections(); ++i) {
             if (wisp_.answers(i))
@@ -38,10 +38,11 @@ class Reactor {
                 shrink_between(i, b);
             }
         }
-        return reactions_;
     }
 
     bool moved(std::uint32_t section) const { return moved_[section]; }
+    /// What was moved, with sections counted from x₀.
+    std::span<const Reaction> reactions() const { return reactions_; }
 
   private:
     /// Worn bodies leave the sections from the root to the first point outside alone.
@@ -61,23 +62,42 @@ class Reactor {
         return std::span(exempt_).subspan(i * bodies_.size(), bodies_.size());
     }
 
-    void put(std::uint32_t i, const Vec3& position) {
+    void put(std::uint32_t i, std::uint32_t b, const Vec3& position) {
+        remember(i, 0, b, position, position - wisp_.x[i]);
         wisp_.x[i] = position;
         bearings_.forget(i);
         moved_[i] = true;
-        ++reactions_;
+    }
+
+    /// Reactions are few, so one more question for each costs nothing.
+    void remember(std::uint32_t i, std::uint32_t point, std::uint32_t b, const Vec3& position,
+                  const Vec3& shift) {
+        constexpr double kNear = 0.02; // [m] where it is not, the whole body is searched
+        const PosedSurface& surface = bodies_[b].surface->end();
+        std::optional<SurfacePlace> place = surface.nearest(Vec3d(position), kNear);
+        if (!place)
+            place = surface.nearest(Vec3d(position), std::numeric_limits<double>::infinity());
+        reactions_.push_back({.section = i,
+                              .point = static_cast<std::uint8_t>(point),
+                              .body = b,
+                              .triangle = place ? place->triangle : 0,
+                              .shift = shift});
     }
 
     void move_skeleton_point(std::uint32_t i) {
+        std::uint32_t last = 0; // the body that moved it last
         for (int round = 0; round < kRounds; ++round) {
             bool in = false;
             for (std::uint32_t b = 0; b < bodies_.size(); ++b)
-                in |= !exempt(i, b) && move_out(i, b, round == 0);
+                if (!exempt(i, b) && move_out(i, b, round == 0)) {
+                    in = true;
+                    last = b;
+                }
             if (!in)
                 return;
         }
         if (escape_.inside(wisp_.x[i], exempt(i)))
-            retreat(i);
+            retreat(i, last);
     }
 
     /// Puts a skeleton point that is inside body `b`, or went through a part of it, before the
@@ -134,14 +154,14 @@ class Reactor {
             break;
         }
         if (best)
-            put(i, *best);
+            put(i, b, *best);
         else
-            retreat(i);
+            retreat(i, b);
     }
 
     /// Back along the axis until outside every body: the section before is outside, so near enough
-    /// to it all is.
-    void retreat(std::uint32_t i) {
+    /// to it all is. `because`: the body that it is for.
+    void retreat(std::uint32_t i, std::uint32_t because) {
         const Vec3 from = wisp_.x[i - 1], way = wisp_.x[i] - from;
         double at = 1;
         for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
@@ -156,7 +176,7 @@ class Reactor {
             at /= 2;
             back = from + way * static_cast<float>(at);
         }
-        put(i, back);
+        put(i, because, back);
     }
 
     /// Where the axis goes through a convex part with both ends outside, its deepest point is
@@ -176,32 +196,32 @@ class Reactor {
             if (!exit)
                 return;
             const Vec3 lift = escape_.over(b, *exit, deep, double(kClear) * 10) - deep;
-            if (!lift_ends(i, lift, s))
+            if (!lift_ends(i, b, lift, s))
                 return;
         }
     }
 
-    bool lift_ends(std::uint32_t i, const Vec3& lift, float s) {
+    bool lift_ends(std::uint32_t i, std::uint32_t b, const Vec3& lift, float s) {
         if (!wisp_.answers(i))
-            return wisp_.answers(i - 1) && lift_alone(i - 1, lift, 1 - s);
+            return wisp_.answers(i - 1) && lift_alone(i - 1, b, lift, 1 - s);
         const float first = wisp_.answers(i - 1) ? 1 - s : 0.0f;
         const float sum = first * first + s * s;
         const Vec3 before = wisp_.x[i - 1] + lift * (first / sum),
                    here = wisp_.x[i] + lift * (s / sum);
         const bool both = first > 0 && may_stand(i - 1, before) && may_stand(i, here);
         if (both) {
-            put(i - 1, before);
-            put(i, here);
+            put(i - 1, b, before);
+            put(i, b, here);
             return true;
         }
-        return lift_alone(i, lift, s);
+        return lift_alone(i, b, lift, s);
     }
 
-    bool lift_alone(std::uint32_t i, const Vec3& lift, float share) {
+    bool lift_alone(std::uint32_t i, std::uint32_t b, const Vec3& lift, float share) {
         const Vec3 alone = wisp_.x[i] + lift * std::min(1 / share, kLongestLever);
         if (!may_stand(i, alone))
             return false;
-        put(i, alone);
+        put(i, b, alone);
         return true;
     }
 
@@ -231,13 +251,13 @@ class Reactor {
             const WispPoint point{i, 0, line, 1, 0};
             const float share = share_outside(b, centre, wisp_.position(point), clear);
             if (share < 1)
-                scale(i, line, share);
+                scale(i, b, line, share);
         }
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             const Vec3 end = wisp_.position(wisp_.half_arc(i, line));
             const float share = share_outside(b, centre, end, clear);
             if (share < 1)
-                scale_sector(i, line, share);
+                scale_sector(i, b, line, share);
         }
     }
 
@@ -261,9 +281,9 @@ class Reactor {
                 if (share >= 1)
                     continue;
                 for (std::uint32_t section : {i - 1, i}) {
-                    scale(section, line, share);
+                    scale(section, b, line, share);
                     if (point.beta > 0)
-                        scale(section, wisp_.next(line), share);
+                        scale(section, b, wisp_.next(line), share);
                 }
             }
         }
@@ -281,15 +301,16 @@ class Reactor {
         return std::max(0.0f, static_cast<float>(entry->at) - kClear / way);
     }
 
-    void scale(std::uint32_t i, std::uint32_t line, float share) {
+    void scale(std::uint32_t i, std::uint32_t b, std::uint32_t line, float share) {
+        const Vec3 lost = wisp_.d(i, line) * (wisp_.r(i, line) * (share - 1));
         wisp_.r(i, line) *= share;
+        remember(i, 1 + line, b, wisp_.position({i, 0, line, 1, 0}), lost);
         bearings_.forget_envelope(i);
         moved_[i] = true;
-        ++reactions_;
     }
-    void scale_sector(std::uint32_t i, std::uint32_t line, float share) {
-        scale(i, line, share);
-        scale(i, wisp_.next(line), share);
+    void scale_sector(std::uint32_t i, std::uint32_t b, std::uint32_t line, float share) {
+        scale(i, b, line, share);
+        scale(i, b, wisp_.next(line), share);
     }
 
     /// No point of a strand's curve there is farther from the axis.
@@ -307,7 +328,7 @@ class Reactor {
     CharacterBearings bearings_;
     std::vector<std::uint8_t> exempt_; // sections × bodies
     std::vector<bool> moved_;
-    std::uint64_t reactions_ = 0;
+    std::vector<Reaction> reactions_;
 };
 
 /// What the regions tell of a packet's sections at the block's end: a bit per lane, bodies × rows.
@@ -346,7 +367,7 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
     for (std::size_t b = 0; current && b < bodies.size(); ++b)
         current = regions_[b].current(*bodies[b].surface);
     carried_.resize(wisps);
-    std::vector<std::uint64_t> reactions(packets, 0);
+    std::vector<std::vector<Reaction>> reactions(packets);
     threads.run(packets, [&](std::size_t p) {
         const Packet& packet = hair.layout.packets()[p];
         FreeSections free(bodies.size(), packet);
@@ -365,7 +386,11 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
                 for (std::uint32_t i = 2; i < wisp.sections(); ++i)
                     if (free.segment(b, lane, i))
                         reactor.bearings().set_free(i, b);
-            reactions[p] += reactor.run();
+            reactor.run();
+            for (Reaction reaction : reactor.reactions()) {
+                reaction.section += hair.groom.first_section[w];
+                reactions[p].push_back(reaction);
+            }
             for (std::uint32_t i = 2; i < wisp.sections(); ++i) {
                 if (reactor.moved(i))
                     wisp.store_place(hair, i, state);
@@ -374,10 +399,12 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
     });
     for (std::size_t b = 0; current && b < bodies.size(); ++b)
         regions_[b].end();
-    std::uint64_t sum = 0;
-    for (std::uint64_t count : reactions)
-        sum += count;
-    return sum;
+    reactions_.clear();
+    for (const std::vector<Reaction>& found : reactions)
+        reactions_.insert(reactions_.end(), found.begin(), found.end());
+    std::stable_sort(reactions_.begin(), reactions_.end(), // packets are not
+                     [](const Reaction& a, const Reaction& b) { return a.section < b.section; });
+    return reactions_.size();
 }
 
 } // namespace mane

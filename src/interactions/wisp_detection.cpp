@@ -46,27 +46,20 @@ std::size_t chunks_of(std::size_t things, std::size_t per_chunk) {
     return (things + per_chunk - 1) / per_chunk;
 }
 
-/// A segment's contacts at the last detection, gone through along with those of now.
+/// The points that slid in a segment at the last detection, gone through along with those of now.
 class Earlier {
   public:
-    Earlier(const ContactPoints& points, std::span<const WispContact> contacts)
-        : points_(points), contacts_(contacts) {}
+    explicit Earlier(std::span<const std::uint32_t> places) : places_(places) {}
 
-    /// Whether the contact of a point was friction; asked for points by rising place.
-    bool friction(std::uint32_t place) {
-        while (next_ < contacts_.size() && place_of(contacts_[next_]) < place)
+    /// Whether a point did; asked for points by rising place.
+    bool slid(std::uint32_t place) {
+        while (next_ < places_.size() && places_[next_] < place)
             ++next_;
-        return next_ < contacts_.size() && contacts_[next_].kind == WispContactKind::friction &&
-               place_of(contacts_[next_]) == place;
+        return next_ < places_.size() && places_[next_] == place;
     }
 
   private:
-    std::uint32_t place_of(const WispContact& c) const {
-        return points_.place(points_.order.rank(c.section), c.point.code);
-    }
-
-    const ContactPoints& points_;
-    std::span<const WispContact> contacts_;
+    std::span<const std::uint32_t> places_;
     std::size_t next_ = 0;
 };
 
@@ -85,6 +78,8 @@ void WispDetection::change(const WispContactDesc& desc) {
 void WispDetection::forget() {
     list_.contacts.clear();
     std::fill(list_.first.begin(), list_.first.end(), 0u);
+    for (Found& found : chunks_)
+        found.sliding = {};
 }
 
 void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads) {
@@ -95,11 +90,18 @@ void WispDetection::detect(const HairView& hair, const ContactPoints& points, Th
                                [&](std::uint32_t rank) { return slender(points, rank); });
     if (any_slender_)
         place_axes(points, threads);
-    std::swap(list_, earlier_);
+    earlier_axes_.assign(list_.axes().begin(), list_.axes().end());
     list_.first.assign(points.order.size() + 1, 0);
     chunks_.resize(chunks_of(segments_.size(), kSegmentsPerChunk));
     threads.run(chunks_.size(), [&](std::size_t c) { find_chunk(hair, points, c); });
     collect(points, threads);
+}
+
+std::span<const std::uint32_t> WispDetection::Sliding::of(std::size_t segment) const {
+    if (first.empty())
+        return {}; // there was no call
+    const std::size_t end = segment + 1 < first.size() ? first[segment + 1] : place.size();
+    return std::span(place).subspan(first[segment], end - first[segment]);
 }
 
 void WispDetection::list_segments(const HairView& hair, const ContactPoints& points) {
@@ -137,74 +139,81 @@ void WispDetection::place_axes(const ContactPoints& points, Threads& threads) {
 
 void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points,
                                std::size_t chunk) {
+    thread_local Scratch scratch;
+    scratch.has_met.resize(std::max<std::size_t>(scratch.has_met.size(), points.order.size()));
     Found& found = chunks_[chunk];
     found.contacts.clear();
     found.axes.clear();
     found.met.clear();
-    found.has_met.resize(points.order.size());
-    found.friction = 0;
+    std::swap(found.sliding, found.earlier);
+    found.sliding.place.clear();
+    found.sliding.first.clear();
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
     for (std::size_t i = first; i < last; ++i) {
         if (i % kSegmentsPerGroup == 0)
-            gather_near(points, i, std::min(last, i + kSegmentsPerGroup), found);
-        list_.first[segments_[i] + 1] = static_cast<std::uint32_t>(find_points(points, i, found));
+            gather_near(points, i, std::min(last, i + kSegmentsPerGroup), scratch);
+        const std::size_t before = found.contacts.size();
+        find_points(points, i, found, scratch);
+        list_.first[segments_[i] + 1] = static_cast<std::uint32_t>(found.contacts.size() - before);
         if (any_slender_ && slender(points, segments_[i]))
-            find_axes(hair, points, segments_[i], found);
+            find_axes(hair, points, segments_[i], found, scratch);
     }
 }
 
 /// Segments that follow each other are near each other: what is near to them is looked for once.
 void WispDetection::gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
-                                Found& found) const {
+                                Scratch& scratch) const {
     Box hull = Box::nowhere();
     for (std::size_t i = first; i < last; ++i) {
         const Box box = segment_box(points, segments_[i]);
         hull.add(box.low);
         hull.add(box.high);
     }
-    point_test_.gather(bunch_tree_, hull, found.near);
+    point_test_.gather(bunch_tree_, hull, scratch.near);
     if (any_slender_)
-        point_test_.gather(segment_tree_, hull, found.near_axes);
-    found.bunches.resize(std::max(found.bunches.size(), hulls_.size()));
+        point_test_.gather(segment_tree_, hull, scratch.near_axes);
+    scratch.bunches.resize(std::max(scratch.bunches.size(), hulls_.size()));
 }
 
-/// The points in the volume of a segment (M21). Returns how many they are.
-std::size_t WispDetection::find_points(const ContactPoints& points, std::size_t index,
-                                       Found& found) {
+/// The points in the volume of a segment (M21).
+void WispDetection::find_points(const ContactPoints& points, std::size_t index, Found& found,
+                                Scratch& scratch) {
     const std::uint32_t rank = segments_[index], segment = points.order.section(rank);
     const std::size_t bunches =
-        point_test_.among(found.near, segment_box(points, rank), found.bunches.data());
-    found.inside.count = 0;
-    point_test_.find(points, rank, {found.bunches.data(), bunches}, found.inside);
-    point_test_.classify(points, rank, limits_, found.inside);
+        point_test_.among(scratch.near, segment_box(points, rank), scratch.bunches.data());
+    PointsInside& inside = scratch.inside;
+    inside.count = 0;
+    point_test_.find(points, rank, {scratch.bunches.data(), bunches}, inside);
+    point_test_.classify(points, rank, limits_, inside);
 
-    const std::size_t before = found.contacts.size();
     first_met_[index] = static_cast<std::uint32_t>(found.met.size());
-    Earlier earlier(points, earlier_.of_segment(rank));
-    for (std::size_t p = 0; p < found.inside.count; ++p) {
-        const std::uint32_t point = found.inside.point[p], at = point / 16, code = point % 16,
+    found.sliding.first.push_back(static_cast<std::uint32_t>(found.sliding.place.size()));
+    Earlier earlier(found.earlier.of(index % kSegmentsPerChunk));
+    for (std::size_t p = 0; p < inside.count; ++p) {
+        const std::uint32_t point = inside.point[p], at = point / 16, code = point % 16,
                             section = points.order.section(at);
         const Belongs belongs = belongs_to(points, at, rank);
         if (!belongs.before && !belongs.after)
             continue;
-        const bool was = earlier.friction(points.place(at, code));
+        const std::uint32_t place = points.place(at, code);
+        const bool slid = earlier.slid(place);
         const bool parallel =
-            desc_.mode != WispContactMode::isotropic && (found.inside.parallel[p] & (was ? 2 : 1));
+            desc_.mode != WispContactMode::isotropic && (inside.parallel[p] & (slid ? 2 : 1));
         found.contacts.push_back(
             {.section = section,
              .point = {static_cast<std::uint8_t>(code)},
              .kind = parallel ? WispContactKind::friction : WispContactKind::collision,
              .segment = segment,
-             .s = found.inside.s[p],
-             .density = found.inside.density[p],
-             .weight = weight_at(found.inside.depth[p])});
-        found.friction += parallel;
-        meet(belongs, section, found);
+             .s = inside.s[p],
+             .density = inside.density[p],
+             .weight = weight_at(inside.depth[p])});
+        if (parallel)
+            found.sliding.place.push_back(place);
+        meet(belongs, section, found, scratch);
     }
     for (std::size_t m = first_met_[index]; m < found.met.size(); ++m)
-        found.has_met[found.met[m]] = false;
-    return found.contacts.size() - before;
+        scratch.has_met[found.met[m]] = false;
 }
 
 /// A section stands for the segment before it and the one after it: which of them may touch the
@@ -223,11 +232,12 @@ WispDetection::Belongs WispDetection::belongs_to(const ContactPoints& points, st
 }
 
 /// Notes the segments that a section belongs to, once each.
-void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& found) {
+void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& found,
+                         Scratch& scratch) {
     const auto note = [&](std::uint32_t other) {
-        if (found.has_met[other])
+        if (scratch.has_met[other])
             return;
-        found.has_met[other] = true;
+        scratch.has_met[other] = true;
         found.met.push_back(other);
     };
     if (belongs.before)
@@ -238,11 +248,11 @@ void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& f
 
 /// Ours, beyond the paper's footnote: the axes that cross that of a slender segment.
 void WispDetection::find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
-                              Found& found) const {
+                              Found& found, Scratch& scratch) const {
     const std::size_t bunches =
-        point_test_.among(found.near_axes, segment_box(points, rank), found.bunches.data());
+        point_test_.among(scratch.near_axes, segment_box(points, rank), scratch.bunches.data());
     for (std::size_t i = 0; i < bunches; ++i) {
-        const std::uint32_t bunch = found.bunches[i];
+        const std::uint32_t bunch = scratch.bunches[i];
         for (std::uint32_t bits = point_test_.crossing(points, segment_boxes_[bunch], bunch, rank,
                                                        limits_.sine_fade);
              bits != 0; bits &= bits - 1)
@@ -276,9 +286,9 @@ WispContactKind WispDetection::axis_kind(const ContactPoints& points,
                                          const WispContact& contact) const {
     if (desc_.mode == WispContactMode::isotropic)
         return WispContactKind::collision;
-    const std::span<const WispContact> axes = earlier_.axes();
-    const auto earlier = std::lower_bound(axes.begin(), axes.end(), contact, before);
-    const bool was = earlier != axes.end() && same_place(*earlier, contact) &&
+    const auto earlier =
+        std::lower_bound(earlier_axes_.begin(), earlier_axes_.end(), contact, before);
+    const bool was = earlier != earlier_axes_.end() && same_place(*earlier, contact) &&
                      earlier->kind == WispContactKind::friction;
     const std::uint32_t first = points.order.rank(contact.section),
                         second = points.order.rank(contact.segment);
@@ -325,7 +335,7 @@ void WispDetection::collect(const ContactPoints& points, Threads& threads) {
         friction_contacts_ += c->kind == WispContactKind::friction;
     }
     for (const Found& found : chunks_) {
-        friction_contacts_ += found.friction;
+        friction_contacts_ += found.sliding.place.size();
         intersecting_pairs_ += found.pairs;
     }
 }

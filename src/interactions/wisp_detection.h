@@ -40,15 +40,25 @@ class WispDetection {
     std::uint64_t intersecting_pairs() const { return intersecting_pairs_; }
 
   private:
+    /// Which points slide in the segments of a chunk: all that the next detection asks of this one.
+    struct Sliding {
+        std::vector<std::uint32_t> place; ///< of the points, segment by segment, rising in each
+        std::vector<std::uint32_t> first; ///< per segment of the chunk
+        std::span<const std::uint32_t> of(std::size_t segment) const;
+    };
     /// What a chunk of segments found.
     struct Found {
         std::vector<WispContact> contacts; ///< of points
         std::vector<WispContact> axes;
         std::vector<std::uint32_t> met; ///< by segment: those of which a point is inside it
-        std::vector<bool> has_met;      ///< scratch: of the present segment
-        std::uint64_t friction = 0, pairs = 0;
-        NearBoxes near;      ///< bunches of points near a group of segments
-        NearBoxes near_axes; ///< bunches of segments near it
+        Sliding sliding, earlier;       ///< now and at the last call
+        std::uint64_t pairs = 0;
+    };
+    /// What a thread keeps from chunk to chunk.
+    struct Scratch {
+        NearBoxes near;            ///< bunches of points near a group of segments
+        NearBoxes near_axes;       ///< bunches of segments near it
+        std::vector<bool> has_met; ///< by the present segment
         std::vector<std::uint32_t> bunches;
         PointsInside inside;
     };
@@ -61,15 +71,16 @@ class WispDetection {
     void place_axes(const ContactPoints& points, Threads& threads);
     void find_chunk(const HairView& hair, const ContactPoints& points, std::size_t chunk);
     void gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
-                     Found& found) const;
-    std::size_t find_points(const ContactPoints& points, std::size_t index, Found& found);
+                     Scratch& scratch) const;
+    void find_points(const ContactPoints& points, std::size_t index, Found& found,
+                     Scratch& scratch);
     Belongs belongs_to(const ContactPoints& points, std::uint32_t at, std::uint32_t rank) const;
-    static void meet(const Belongs& belongs, std::uint32_t section, Found& found);
+    static void meet(const Belongs& belongs, std::uint32_t section, Found& found, Scratch& scratch);
     bool slender(const ContactPoints& points, std::uint32_t rank) const {
         return points.slenderness[rank] > desc_.axis_contact_ratio;
     }
     void find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
-                   Found& found) const;
+                   Found& found, Scratch& scratch) const;
     void find_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                    std::uint32_t other, Found& found) const;
     WispContactKind axis_kind(const ContactPoints& points, const WispContact& contact) const;
@@ -90,9 +101,10 @@ class WispDetection {
     bool any_slender_ = false;
 
     std::vector<Found> chunks_;
-    ContactList list_, earlier_;
-    std::vector<std::uint32_t> index_;     ///< per rank: of its segment
-    std::vector<std::uint32_t> first_met_; ///< per segment: in its chunk's `met`
+    ContactList list_;
+    std::vector<WispContact> earlier_axes_; ///< of the last call
+    std::vector<std::uint32_t> index_;      ///< per rank: of its segment
+    std::vector<std::uint32_t> first_met_;  ///< per segment: in its chunk's `met`
     std::uint64_t friction_contacts_ = 0;
     std::uint64_t intersecting_pairs_ = 0;
 };

@@ -42,6 +42,7 @@ struct Simulation {
     CharacterContacts character_contacts;
     std::vector<ContactBody> bodies; ///< their surfaces over the present block
     Vec3d origin;                    ///< [m] world position of the state's origin
+    std::vector<Reaction> reactions; ///< penetration reactions of the present frame
 
     // scratch
     SectionFrames frames;

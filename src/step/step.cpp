@@ -117,6 +117,8 @@ void modify_positions(Simulation& s, const StepPlace& place) {
     find_section_frames(s);
     s.statistics.penetration_reactions +=
         s.character_contacts.react(s.hair(), s.bodies, s.desc.character, s.state, s.threads);
+    const std::span<const Reaction> reactions = s.character_contacts.reactions();
+    s.reactions.insert(s.reactions.end(), reactions.begin(), reactions.end());
 }
 
 } // namespace

@@ -94,6 +94,9 @@ std::vector<Contact> World::contacts() const {
     data_->simulation.character_contacts.list(data_->simulation.groom, list);
     return list;
 }
+const std::vector<Reaction>& World::reactions() const {
+    return data_->simulation.reactions;
+}
 const char* World::instruction_set() const {
     return data_->simulation.kernels.instruction_set;
 }

@@ -104,6 +104,7 @@ void World::Data::advance() {
     follow_head(step_time(0));
     if (simulation.desc.wisps.mode == WispContactMode::off)
         simulation.wisp_detection.forget();
+    simulation.reactions.clear();
     for (std::uint32_t b = 0; b < schedule.blocks(); ++b) {
         const std::uint32_t begin = schedule.block_begin(b), end = schedule.block_begin(b + 1);
         const double time = step_time(begin), seconds = (end - begin) * schedule.step_seconds();

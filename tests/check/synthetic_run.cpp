@@ -94,7 +94,7 @@ void SyntheticRun::add_obstacle(const Mesh& mesh, bool worn) {
         p.emplace_back();
 }
 
-CheckReport SyntheticRun::judge() const {
+template <typename Look> auto SyntheticRun::look_at(const Look& look) const {
     const TemporaryFile file;
     RunSetup written = setup;
     written.scene = write_scene(scene);
@@ -102,7 +102,15 @@ CheckReport SyntheticRun::judge() const {
     for (std::size_t i = 0; i < frames.size(); ++i)
         writer.add(frames[i], poses[i]);
     writer.finish(statistics);
-    return check_run(CacheReader(file.path), {.strands = 60});
+    return look(CacheReader(file.path));
+}
+
+CheckReport SyntheticRun::judge() const {
+    return look_at([](const CacheReader& run) { return check_run(run, {.strands = 60}); });
+}
+
+std::vector<FrameFigures> SyntheticRun::figures() const {
+    return look_at([](const CacheReader& run) { return frame_figures(run); });
 }
 
 SyntheticRun good_run() {

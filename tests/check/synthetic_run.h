@@ -37,6 +37,11 @@ struct SyntheticRun {
     void add_obstacle(const Mesh& mesh, bool worn);
     /// Writes a file, and has it judged.
     CheckReport judge() const;
+    /// Writes a file, and has its figures taken.
+    std::vector<FrameFigures> figures() const;
+
+  private:
+    template <typename Look> auto look_at(const Look& look) const;
 };
 
 inline constexpr double kFrameRate = 24; // [Hz] of synthetic runs

@@ -28,7 +28,8 @@ std::string settings(const toml::table& clip, const std::string& file) {
     for (const char* key : {"earliest", "first"})
         text += " --set motion." + std::string(key) + "=" +
                 std::to_string(static_cast<long>(number(key)));
-    return text;
+    // drawn so, strands have the least room in their envelopes (M17)
+    return text + " --set strands.waves=5 --set strands.wave_amplitude=0.2 --set strands.curls=2";
 }
 
 /// Simulates and judges one cell of the matrix.

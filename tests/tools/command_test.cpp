@@ -261,6 +261,24 @@ TEST_CASE("damaged caches are refused with the place, cut ones are read as far a
     check_bad(folder, "compare a.mane none.mane", "none.mane: cannot be read");
 }
 
+TEST_CASE("a page is written that holds the run; without its pages the command says so") {
+    const Folder folder;
+    REQUIRE(mane_command(folder, "simulate small.toml -o a.mane --record").code == 0);
+    const Result view = mane_command(folder, "view a.mane -o a.html");
+    if (view.code == 2 && view.err.find("without its pages") != std::string::npos) {
+        MESSAGE("skipped: built without pages");
+        return;
+    }
+    REQUIRE(view.code == 0);
+    CHECK(view.out.substr(0, 18) == "a.html: 4 frames, ");
+    const std::string page = folder.read("a.html");
+    CHECK(page.substr(0, 15) == "<!doctype html>");
+    CHECK(page.find("id=\"run\">eJ") != std::string::npos);
+    CHECK(page.find("<!-- ") == std::string::npos); // nothing is left to be put in
+    CHECK(mane_command(folder, "view missing.mane -o x.html").code == 2);
+    CHECK(mane_command(folder, "view a.mane -o no/where.html").code == 2);
+}
+
 TEST_CASE("layers and pictures of a frame are written; a wrong frame, layer or ending is refused") {
     Folder folder;
     REQUIRE(mane_command(folder, "simulate small.toml -o a.mane").code == 0);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mane::page {
 namespace {
@@ -53,20 +54,17 @@ HeadPose held(const HeadPose& pose, const std::array<double, 6>& hold) {
 /// The scene's own motion, or a bust that is led.
 class Lead::Switch final : public Motion {
   public:
-    explicit Switch(std::shared_ptr<const Motion> own) : own_(std::move(own)) {}
     std::size_t bone_count() const override { return kBustBones; }
     void evaluate(double time, std::span<BonePose> bones) const override {
         if (led)
             led->evaluate(time, bones);
-        else if (own_)
-            own_->evaluate(time, bones);
+        else if (own)
+            own->evaluate(time, bones);
         else
             std::fill(bones.begin(), bones.end(), BonePose{});
     }
+    std::shared_ptr<const Motion> own;
     std::unique_ptr<DrivenBust> led; ///< null: nobody has asked for anything
-
-  private:
-    std::shared_ptr<const Motion> own_;
 };
 
 HeadPose Lead::Path::at(double time) const {
@@ -81,7 +79,18 @@ HeadPose Lead::Path::at(double time) const {
 }
 
 Lead::Lead(std::shared_ptr<const Motion> motion, double length)
-    : switch_(std::make_shared<Switch>(motion)), path_{std::move(motion), length, 0, {}} {}
+    : switch_(std::make_shared<Switch>()) {
+    begin(std::move(motion), length);
+}
+
+void Lead::begin(std::shared_ptr<const Motion> motion, double length) {
+    switch_->led = nullptr;
+    switch_->own = motion;
+    path_ = before_ = {std::move(motion), length, 0, {}};
+    changed_ = -std::numeric_limits<double>::infinity();
+    wanted_ = {};
+    held_ = velocities_ = {};
+}
 
 std::shared_ptr<const Motion> Lead::motion() const {
     return switch_;

@@ -20,6 +20,9 @@ class Lead {
     /// `motion` may be null: at rest. A motion of `length` [s] over 0 begins again after that.
     Lead(std::shared_ptr<const Motion> motion, double length);
 
+    /// The same from the beginning, with a hand that holds nothing.
+    void begin(std::shared_ptr<const Motion> motion, double length);
+
     /// What the world's first body moves by.
     std::shared_ptr<const Motion> motion() const;
     /// From now on, softly.
@@ -45,7 +48,7 @@ class Lead {
 
     std::shared_ptr<Switch> switch_;
     Path path_, before_;
-    double changed_ = -1e9;                       ///< [s] when `before_` became `path_`
+    double changed_ = 0;                          ///< [s] when `before_` became `path_`
     Hold wanted_;                                 ///< what was asked for
     std::array<double, 6> held_{}, velocities_{}; ///< what of it is reached
     double frame_ = 1.0 / 24;                     ///< [s]

@@ -24,32 +24,34 @@ template <typename Apply> void for_lines(const std::string& text, const Apply& a
 
 /// What a change of a field asks for.
 enum class Effect : std::uint8_t {
-    drawing, ///< strands alone
-    motion,  ///< of the character
-    step,    ///< what the world takes while it runs
-    hair,    ///< other hair or bodies: a world of its own
+    kept,   ///< of no meaning here; who copies the scene has it
+    live,   ///< the world takes it as it runs
+    motion, ///< the character's, which is led here
+    anew,   ///< another world
 };
 
 Effect effect_of(const FieldInfo& field) {
-    const std::string_view section = field.section, name = field.name;
-    if (section == "motion")
+    if (has(field.use, FieldUse::live))
+        return Effect::live;
+    if (field.section == "motion")
         return Effect::motion;
-    if (section == "strands" && name != "count")
-        return Effect::drawing;
-    if (section == "check" || name == "frames" || name == "preroll")
-        return Effect::drawing; // of no meaning here; kept for who copies the scene
-    const bool stepped = section == "simulation" || section == "air" || section == "wisps" ||
-                         section == "schedule" ||
-                         (section == "character" && has(field.use, FieldUse::live));
-    return stepped && name != "seed" ? Effect::step : Effect::hair;
+    const bool length = field.name == "frames" || field.name == "preroll";
+    return field.section == "check" || length ? Effect::kept : Effect::anew;
 }
 
-/// Whether two scenes differ in a field of this effect.
 bool differ(const SceneDesc& a, const SceneDesc& b, Effect effect) {
     for (const Field& f : fields_of<SceneDesc>())
-        if (effect_of(f) == effect && to_toml(f.get(a)) != to_toml(f.get(b)))
+        if (effect_of(f) == effect && f.get(a) != f.get(b))
             return true;
     return false;
+}
+
+/// `scene` with the live fields of `next`: as far as a running world goes along.
+SceneDesc with_live_fields(SceneDesc scene, const SceneDesc& next) {
+    for (const Field& f : fields_of<SceneDesc>())
+        if (effect_of(f) == Effect::live)
+            f.set(scene, f.get(next));
+    return scene;
 }
 
 /// How long a motion is until it begins again [s]; 0: it does not.
@@ -107,39 +109,57 @@ void Session::take_clip(const std::string& file) {
 }
 
 void Session::restart() {
+    if (write_scene(scene_) != setup_->scene)
+        return build(scene_);
+    lead_->begin(make_motion(scene_.motion), length_of(scene_.motion));
     begin(scene_, *setup_);
 }
 
 void Session::advance() {
-    lead_->advance(world_->frame().time, world_->next_time());
-    world_->advance();
+    lead_->advance(world().frame().time, world().next_time());
+    live_->world().advance();
 }
 
 void Session::teleport(const Vec3d& by) {
-    lead_->jump(by, world_->frame().time);
-    world_->teleport();
+    lead_->jump(by, world().frame().time);
+    live_->world().teleport();
+}
+
+void Session::pin(std::uint32_t section, const Vec3d& place) {
+    Pin pin;
+    pin.section = section;
+    pin.place = place;
+    pin.ease = 0.06; // a hand's places come many times a second
+    live_->world().pin(pin);
+}
+
+void Session::release(std::uint32_t section) {
+    live_->world().release(section);
+}
+
+void Session::release_all() {
+    for (const Pin& pin : world().pins())
+        live_->world().release(pin.section);
 }
 
 void Session::change_to(const SceneDesc& scene) {
-    if (differ(scene_, scene, Effect::hair))
+    if (differ(scene_, scene, Effect::anew))
         return build(scene);
     const bool moves = differ(scene_, scene, Effect::motion);
     std::shared_ptr<const Motion> motion = moves ? make_motion(scene.motion) : nullptr;
-    SimulationDesc desc = scene.simulation; // how long a run is says nothing to this one
-    desc.schedule.frames = world_->desc().schedule.frames;
-    desc.schedule.preroll = world_->desc().schedule.preroll;
-    world_->change(desc);
-    if (moves) {
-        setup_->bodies[0].motion = motion;
-        lead_->follow(std::move(motion), length_of(scene.motion), world_->frame().time);
-    }
+    if (differ(scene_, scene, Effect::live))
+        live_->change(with_live_fields(live_->scene(), scene));
+    if (moves)
+        lead_->follow(std::move(motion), length_of(scene.motion), world().frame().time);
     scene_ = scene;
 }
 
 void Session::build(const SceneDesc& scene) {
-    auto setup = std::make_unique<RunSetup>(prepare(scene));
+    auto lead = std::make_unique<Lead>(make_motion(scene.motion), length_of(scene.motion));
+    auto setup = std::make_unique<RunSetup>(prepare(scene, lead->motion()));
     begin(scene, *setup);
     setup_ = std::move(setup);
+    lead_ = std::move(lead);
     scene_ = scene;
 }
 
@@ -147,17 +167,8 @@ void Session::build(const SceneDesc& scene) {
 void Session::begin(const SceneDesc& scene, const RunSetup& setup) {
     const ScheduleDesc& schedule = scene.simulation.schedule;
     const double preroll = std::ceil(double{schedule.preroll} * schedule.frame_rate);
-    std::vector<Body> bodies = setup.bodies;
-    Lead lead(bodies[0].motion, length_of(scene.motion));
-    for (Body& body : bodies)
-        if (body.worn)
-            body.motion = following_motion(lead.motion(), bodies[0].head_bone);
-    bodies[0].motion = lead.motion();
-    auto world =
-        std::make_unique<World>(scene.simulation, setup.groom, std::move(bodies),
-                                -preroll / schedule.frame_rate, RunOptions{.threads = threads_});
-    world_ = std::move(world);
-    lead_ = std::move(lead);
+    live_ = std::make_unique<LiveScene>(
+        make_live(scene, setup, -preroll / schedule.frame_rate, RunOptions{threads_, "", {}}));
     ++worlds_;
 }
 

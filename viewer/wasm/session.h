@@ -2,12 +2,12 @@
 
 #include "lead.h"
 
+#include "mane/live_scene.h"
 #include "mane/scene.h"
 #include "mane/setup.h"
 #include "mane/world.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace mane::page {
@@ -29,22 +29,24 @@ class Session {
     /// A clip moves the character from now on. What a unit of it is, is told from its skeleton's
     /// size.
     void take_clip(const std::string& file);
-    /// The same world again from its first frame.
+    /// The scene as it is now, from its first frame.
     void restart();
 
     /// Simulates until the next frame.
     void advance();
     /// A hand holds the head from now on.
     void hold(const Hold& hold) { lead_->hold(hold); }
+    /// Holds a skeleton point at a place in the world [m], and lets it go.
+    void pin(std::uint32_t section, const Vec3d& place);
+    void release(std::uint32_t section);
+    void release_all();
     /// The character is elsewhere at once, with its hair.
     void teleport(const Vec3d& by);
 
     const std::string& name() const { return name_; }
     const SceneDesc& scene() const { return scene_; }
     const RunSetup& setup() const { return *setup_; }
-    /// What the first body moves by.
-    const Motion& lead() const { return *lead_->motion(); }
-    const World& world() const { return *world_; }
+    const World& world() const { return live_->world(); }
     /// How often a world was built.
     unsigned worlds() const { return worlds_; }
 
@@ -57,9 +59,9 @@ class Session {
     unsigned worlds_ = 0;
     std::string name_;
     SceneDesc scene_;
+    std::unique_ptr<Lead> lead_; ///< of the character
     std::unique_ptr<RunSetup> setup_;
-    std::optional<Lead> lead_; ///< of the character
-    std::unique_ptr<World> world_;
+    std::unique_ptr<LiveScene> live_;
 };
 
 } // namespace mane::page

@@ -50,34 +50,30 @@ Json describe(const StrandDesc& desc) {
             {"lengthJitter", desc.length_jitter},
             {"waves", desc.waves},
             {"waveAmplitude", desc.wave_amplitude},
-            {"curls", 0},
+            {"curls", desc.curls},
             {"rootWidth", desc.root_width},
             {"tipWidth", desc.tip_width}};
 }
 
-/// Of body `b` as it moves here: the character is led.
-const Motion* motion_of(std::size_t b) {
-    return b == 0 ? &session->lead() : session->setup().bodies[b].motion.get();
-}
-
-std::size_t bone_count(std::size_t b) {
-    return motion_of(b) ? motion_of(b)->bone_count() : 0;
+std::size_t bone_count(const Body& body) {
+    return body.motion ? body.motion->bone_count() : 0;
 }
 
 /// What is not an array.
 Json describe_world() {
     const SceneDesc& scene = session->scene();
     const RunSetup& setup = session->setup();
+    const World& world = session->world();
     Json bodies = Json::array();
-    for (std::size_t b = 0; b < setup.bodies.size(); ++b)
-        bodies.push_back({{"name", setup.bodies[b].name},
-                          {"headBone", setup.bodies[b].head_bone},
-                          {"bones", bone_count(b)}});
+    for (std::size_t b = 0; b < world.body_count(); ++b)
+        bodies.push_back({{"name", world.body(b).name},
+                          {"headBone", world.body(b).head_bone},
+                          {"bones", bone_count(world.body(b))}});
     return {{"number", session->worlds()},
             {"name", session->name()},
             {"frameRate", scene.simulation.schedule.frame_rate},
             {"clip", scene.motion.clip},
-            {"instructionSet", session->world().instruction_set()},
+            {"instructionSet", world.instruction_set()},
             {"warnings", setup.warnings},
             {"hair",
              {{"wisps", setup.groom.wisp_count()},
@@ -97,12 +93,14 @@ std::vector<float> designed_lengths(const Groom& groom) {
 
 /// Time, origin, and the bones of all bodies: position, rotation.
 std::vector<double> frame_doubles() {
-    const Frame& frame = session->world().frame();
+    const World& world = session->world();
+    const Frame& frame = world.frame();
     std::vector<double> numbers{frame.time, frame.origin.x, frame.origin.y, frame.origin.z};
     std::vector<BonePose> bones;
-    for (std::size_t b = 0; b < session->setup().bodies.size(); ++b) {
-        bones.resize(bone_count(b));
-        if (const Motion* motion = motion_of(b))
+    for (std::size_t b = 0; b < world.body_count(); ++b) {
+        const Motion* motion = world.body(b).motion.get();
+        bones.resize(bone_count(world.body(b)));
+        if (motion)
             motion->evaluate(frame.time, bones);
         for (const BonePose& bone : bones)
             for (const double x : {bone.position.x, bone.position.y, bone.position.z})
@@ -131,16 +129,16 @@ template <typename T> Numbers keep(std::vector<T> made) {
 
 Numbers find(const std::string& name, std::size_t index) {
     const Frame& frame = session->world().frame();
-    const RunSetup& setup = session->setup();
-    const auto body = [&]() -> const Body& { return setup.bodies.at(index); };
+    const Groom& groom = session->world().groom();
+    const auto body = [&]() -> const Body& { return session->setup().bodies.at(index); };
     const std::map<std::string, std::function<Numbers()>> all{
         {"frame.doubles", [&] { return keep(frame_doubles()); }},
         {"frame.position", [&] { return numbers(frame.position, 3); }},
         {"frame.radius", [&] { return numbers(frame.radius); }},
         {"frame.first_axis", [&] { return numbers(frame.first_axis, 3); }},
-        {"groom.first_section", [&] { return numbers(setup.groom.first_section); }},
-        {"groom.strands", [&] { return numbers(setup.groom.strands); }},
-        {"groom.designed_length", [&] { return keep(designed_lengths(setup.groom)); }},
+        {"groom.first_section", [&] { return numbers(groom.first_section); }},
+        {"groom.strands", [&] { return numbers(groom.strands); }},
+        {"groom.designed_length", [&] { return keep(designed_lengths(groom)); }},
         {"body.vertices", [&] { return numbers(body().mesh.vertices, 3); }},
         {"body.triangles", [&] { return numbers(body().mesh.triangles, 3); }},
         {"body.bones", [&] { return numbers(body().skin.bones, Skin::kInfluences); }},
@@ -186,6 +184,15 @@ bool solver_advance() {
 }
 bool solver_hold(double x, double y, double z, double yaw, double pitch, double roll) {
     return attempt([&] { session->hold({{x, y, z}, {yaw, pitch, roll}}); });
+}
+bool solver_pin(unsigned section, double x, double y, double z) {
+    return attempt([&] { session->pin(section, {x, y, z}); });
+}
+bool solver_release(unsigned section) {
+    return attempt([&] { session->release(section); });
+}
+bool solver_release_all() {
+    return attempt([&] { session->release_all(); });
 }
 bool solver_teleport(double x, double y, double z) {
     return attempt([&] { session->teleport({x, y, z}); });

@@ -217,6 +217,16 @@ export class HairView {
         return false;
     }
 
+    /** Whether the picture shows what it was last told to, whole. */
+    get settled(): boolean {
+        return !this.stale && !this.moving && this.picture.done && !this.flight;
+    }
+
+    /** Gives the graphics processor's memory back; nothing can be drawn any more. */
+    delete(): void {
+        this.gl.getExtension("WEBGL_lose_context")?.loseContext();
+    }
+
     /**
      * Draws for about `budget` ms, not at all while the graphics processor is busy. `moving`: the next call will show something
      * else, so one picture has to do.

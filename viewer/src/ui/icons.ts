@@ -4,6 +4,7 @@ const kPaths = {
     pause: "M3.5 2.5h3v11h-3zM9.5 2.5h3v11h-3z",
     back: "M12.5 2.5v11l-7-5.5zM3.5 2.5h2v11h-2z",
     on: "M3.5 2.5v11l7-5.5zM10.5 2.5h2v11h-2z",
+    again: "M8 3a5 5 0 1 0 4.8 3.6l-1.9.6A3 3 0 1 1 8 5v2.5L12 4 8 .5z",
 };
 
 export function icon(name: keyof typeof kPaths): SVGElement {

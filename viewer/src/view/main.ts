@@ -1,4 +1,4 @@
-import { HairView, kDefaultLook, type Look } from "../draw/hair_view";
+import { HairView, kDefaultLook, type Look, type Progress } from "../draw/hair_view";
 import { add, subtract } from "../draw/matrix";
 import { pickWisp } from "../hair/pick";
 import { button, choice, toggle } from "../ui/controls";
@@ -23,9 +23,9 @@ const kSpeeds: [string, number][] = [["⅒", 0.1], ["¼", 0.25], ["½", 0.5], ["
 
 /** The playing page: a run, its view, and what is around it. */
 class ViewPage {
-    private readonly view: HairView;
-    private readonly player: Player;
-    private readonly panel: HairPanel;
+    readonly view: HairView;
+    readonly player: Player;
+    readonly panel: HairPanel;
     private readonly wispPanel: WispPanel;
     private readonly plots: Plot[];
     private readonly scrub: HTMLInputElement;
@@ -35,16 +35,19 @@ class ViewPage {
     private look: Look;
     private following = true;
     private shown = -1; // frame that the view has
+    private progress: Progress = { strands: 0, of: 0, done: false };
+    private closed = false;
+    private readonly stopListening: () => void;
     private movedAt = -Infinity; // [ms] when the camera last moved
     private before = performance.now();
 
     constructor(
-        private readonly run: Run,
+        readonly run: Run,
         app: HTMLElement,
     ) {
         const canvas = element("canvas", { tabIndex: 0, "aria-label": "the hair" });
         this.view = new HairView(canvas);
-        canvas.addEventListener("webglcontextlost", () =>
+        canvas.addEventListener("webglcontextlost", () => this.closed ||
             showMessage("The picture was lost", "The graphics processor was reset or ran out of memory. Reload the page; with fewer strands it needs less.", false));
         this.view.setHair(run.hair, run.bodies);
         this.player = new Player(run.frames, run.frameRate);
@@ -62,8 +65,8 @@ class ViewPage {
         this.playButton.classList.add("play");
 
         orbitControls(canvas, this.view.camera, () => this.cameraMoved(), (x, y) => this.selectWisp(this.wispAt(x, y)));
-        const shortcuts = this.shortcuts();
-        listenForShortcuts(shortcuts);
+        const shortcuts = this.makeShortcuts();
+        this.stopListening = listenForShortcuts(shortcuts);
         app.replaceChildren(
             this.header(shortcuts),
             element("div", { id: "stage" }, canvas, this.viewButtons(), this.hud),
@@ -121,8 +124,8 @@ class ViewPage {
         );
     }
 
-    private shortcuts(): Shortcut[] {
-        return [
+    private makeShortcuts(): Shortcut[] {
+        const shortcuts: Shortcut[] = [
             { keys: [" "], label: "play or pause", does: () => this.togglePlay() },
             { keys: ["ArrowLeft"], label: "one frame back", does: () => this.step(-1) },
             { keys: ["ArrowRight"], label: "one frame on", does: () => this.step(1) },
@@ -133,8 +136,9 @@ class ViewPage {
             ...kViews.map(([label, degrees, key]) => ({ keys: [key], label: `view: ${label.toLowerCase()}`, does: () => this.lookFrom(degrees) })),
             { keys: ["p"], label: "save a PNG", does: () => this.savePicture() },
             { keys: ["Escape"], label: "no wisp selected", does: () => this.escape() },
-            { keys: ["h", "?"], label: "this list", does: () => showKeys(this.shortcuts()) },
+            { keys: ["h", "?"], label: "this list", does: () => showKeys(shortcuts) },
         ];
+        return shortcuts;
     }
 
     private escape(): void {
@@ -173,7 +177,7 @@ class ViewPage {
         return pickWisp(this.run.hair, this.view.sectionRecords.values, this.view.posedBodies, subtract(eye, origin), direction);
     }
 
-    private lookFrom(degrees: number): void {
+    lookFrom(degrees: number): void {
         lookFrom(this.view.camera, this.view.headCentre(), headYaw(this.run.frame(this.shown), this.run.bodies[0]), degrees);
         this.cameraMoved();
     }
@@ -212,7 +216,26 @@ class ViewPage {
         this.wispPanel.show(index);
     }
 
+    get shownFrame(): number {
+        return this.shown;
+    }
+    get shownStrands(): number {
+        return this.progress.strands;
+    }
+    /** Whether the picture is of this frame and this look, and all there is to it. */
+    get settled(): boolean {
+        return this.view.settled && this.player.frame === this.shown;
+    }
+
+    /** Another run takes this one's place. */
+    close(): void {
+        this.closed = true;
+        this.stopListening();
+        this.view.delete();
+    }
+
     private tick(): void {
+        if (this.closed) return;
         const now = performance.now();
         const wasPlaying = this.player.playing;
         this.player.advance(Math.min(now - this.before, 250) / 1000);
@@ -220,9 +243,9 @@ class ViewPage {
         if (wasPlaying !== this.player.playing) this.showPlaying();
         if (!this.view.busy && this.player.frame !== this.shown) this.showFrame(this.player.frame);
         const moving = this.player.playing || now - this.movedAt < kSettle;
-        const progress = this.view.draw(moving ? kMovingBudget : kStillBudget, moving);
-        this.hud.textContent = progress.of > 0
-            ? `${progress.strands.toLocaleString("en")} of ${progress.of.toLocaleString("en")} strands${progress.done || moving ? "" : " …"}` : "";
+        this.progress = this.view.draw(moving ? kMovingBudget : kStillBudget, moving);
+        const { strands, of, done } = this.progress;
+        this.hud.textContent = of > 0 ? `${strands.toLocaleString("en")} of ${of.toLocaleString("en")} strands${done || moving ? "" : " …"}` : "";
         requestAnimationFrame(() => this.tick());
     }
 
@@ -248,13 +271,16 @@ function showKeys(shortcuts: readonly Shortcut[]): void {
     ])));
 }
 
+let shownPage: ViewPage | undefined;
+
 /** Opens a run in the page, or says what is wrong with it. */
 async function open(read: () => Promise<PageData>, app: HTMLElement, closable: boolean): Promise<void> {
     try {
         const run = new Run(await read());
+        shownPage?.close();
+        shownPage = new ViewPage(run, app);
         document.title = `${run.title} · mane`;
-        // Tests and the curious look at the page through this.
-        Object.assign(window, { mane: new ViewPage(run, app) });
+        Object.assign(window, { mane: shownPage }); // for tests and the curious
     } catch (error) {
         const damaged = error instanceof DamagedPage || error instanceof RangeError;
         showMessage(damaged ? "This run cannot be shown" : "The page cannot run here", error instanceof Error ? error.message : String(error), closable);

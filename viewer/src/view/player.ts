@@ -10,6 +10,10 @@ export class Player {
         private readonly frameRate: number,
     ) {}
 
+    /** [frames] between frames too. */
+    get position(): number {
+        return this.at;
+    }
     get frame(): number {
         return Math.floor(this.at);
     }

@@ -1,0 +1,103 @@
+// The pictures of README.md and docs/, taken of pages of `mane view` in a headless browser:
+//   node pictures.mjs RUN_FOLDER OUTPUT_FOLDER
+// RUN_FOLDER holds short.html, medium.html and long.html, the last with recorded contacts.
+import { writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { launch, openPage } from "./test/browser.mjs";
+
+const [runs, output] = process.argv.slice(2);
+if (!output) {
+    console.error("usage: node pictures.mjs RUN_FOLDER OUTPUT_FOLDER");
+    process.exit(2);
+}
+const kNone = { strands: false, skeleton: false, sections: false, envelope: false, character: true };
+const browser = await launch();
+
+const settled = (page) => page.waitForFunction(() => window.mane.settled, null, { timeout: 180_000 });
+
+/** Opens a run with a stage of this size and nothing else to be seen. */
+async function openStage(run, width, height) {
+    const { page, complaints, close } = await openPage(browser, pathToFileURL(resolve(runs, `${run}.html`)).href, { width: 900, height: 900 });
+    await page.waitForFunction(() => window.mane);
+    await page.addStyleTag({
+        content: `#stage { position: fixed !important; inset: 0 auto auto 0; width: ${width}px; height: ${height}px; z-index: 5 } #stage .views, #stage .hud { display: none }`,
+    });
+    /** A PNG of the hair at a frame, seen from an angle, `near` times as large. */
+    const take = async ({ frame, degrees = 40, look = {}, near = 1 }) => {
+        await page.evaluate(([frame, look]) => {
+            window.mane.panel.set(look);
+            window.mane.seek(frame);
+        }, [frame, look]);
+        await page.waitForFunction(([frame, width]) => window.mane.shownFrame === frame && window.mane.view.canvas.width === width, [frame, width]);
+        await page.evaluate(([degrees, near]) => {
+            window.mane.lookFrom(degrees);
+            window.mane.view.camera.zoom(1 / near);
+        }, [degrees, near]);
+        await page.waitForTimeout(400);
+        await settled(page);
+        return page.locator("#stage canvas").screenshot();
+    };
+    return { take, close: async () => {
+        if (complaints.length) throw new Error(complaints.join("\n"));
+        await close();
+    } };
+}
+
+/** Pictures side by side, with a word under each. */
+async function writeSheet(name, pictures, width, height) {
+    const page = await browser.newPage({ viewport: { width: width * pictures.length, height } });
+    const figures = pictures.map(([label, png]) =>
+        `<figure><img src="data:image/png;base64,${png.toString("base64")}"><figcaption>${label}</figcaption></figure>`);
+    await page.setContent(`<style>body { margin: 0; display: flex; background: #17181b } figure { margin: 0; position: relative; width: ${width}px }
+        img { display: block } figcaption { position: absolute; left: 0; right: 0; bottom: 6px; text-align: center; color: #e4e6ea; font: 14px system-ui, "DejaVu Sans", sans-serif; text-shadow: 0 1px 3px #000 }</style>${figures.join("")}`);
+    await page.waitForTimeout(200);
+    writeFileSync(join(output, name), await page.screenshot());
+    await page.close();
+    console.log(name);
+}
+
+const layers = [
+    ["skeleton", { layers: { ...kNone, skeleton: true } }],
+    ["cross-sections", { layers: { ...kNone, sections: true, skeleton: true } }],
+    ["envelope", { layers: { ...kNone, envelope: true } }],
+    ["strands", { layers: { ...kNone, strands: true } }],
+];
+const strip = [96, 118, 134, 150, 166, 200];
+
+{
+    const { take, close } = await openStage("long", 300, 330);
+    const pictures = [];
+    for (const [label, look] of layers) pictures.push([label, await take({ frame: 118, look, near: 1.25 })]);
+    await writeSheet("layers.png", pictures, 300, 330);
+    await close();
+}
+{
+    const pictures = [];
+    for (const style of ["short", "medium", "long"]) {
+        const { take, close } = await openStage(style, 400, 400);
+        pictures.push([style, await take({ frame: 112, near: 1.25 })]);
+        await close();
+    }
+    await writeSheet("styles.png", pictures, 400, 400);
+}
+{
+    const { take, close } = await openStage("long", 200, 240);
+    const pictures = [];
+    for (const frame of strip) pictures.push([`${(frame / 24).toFixed(1)} s`, await take({ frame, degrees: 25 })]);
+    await writeSheet("strip.png", pictures, 200, 240);
+    await close();
+}
+{
+    const { page, close } = await openPage(browser, pathToFileURL(resolve(runs, "long.html")).href, { width: 1200, height: 760 });
+    await page.waitForFunction(() => window.mane);
+    await page.evaluate(() => window.mane.seek(150));
+    await page.waitForFunction(() => window.mane.shownFrame === 150);
+    await page.evaluate(() => window.mane.selectWisp(19));
+    await page.waitForTimeout(400);
+    await settled(page);
+    writeFileSync(join(output, "view.png"), await page.screenshot());
+    console.log("view.png");
+    await close();
+}
+await browser.close();

@@ -1,0 +1,130 @@
+/** The parameters of the scene: controls made from the table of fields, what was set and can be taken back, and the scene as text. */
+import { button } from "../ui/controls";
+import { element } from "../ui/dom";
+import type { Field } from "./fields";
+import { History } from "./history";
+import { Panel } from "./panel";
+import type { Setting } from "./protocol";
+
+export interface ParameterEvents {
+    set(settings: Setting[]): void;
+    /** The whole scene as TOML, as it is now. */
+    scene(): Promise<string>;
+    rates(preset: string): void;
+}
+
+const kRates: [name: string, tip: string][] = [
+    ["paper", "1000 / 120 / 24 Hz: integration, contacts with the character, contacts between wisps"],
+    ["default", "1000 / 120 / 120 Hz"],
+    ["fine", "1000 / 1000 / 1000 Hz"],
+];
+
+type Values = Record<string, string>;
+
+export class Parameters {
+    readonly root = element("div", { id: "parameters" });
+    private readonly history = new History();
+    private readonly panel: Panel;
+    private readonly undoButton = button("Undo", "take the last change back", () => this.undo(), "z");
+    private readonly redoButton = button("Redo", "make it again", () => this.redo(), "y");
+    private values: Values = {};
+    private opened: Values = {}; // as the scene was opened
+    private before: Values | null = null; // a preset is on its way
+
+    constructor(
+        fields: Field[],
+        private readonly events: ParameterEvents,
+    ) {
+        this.panel = new Panel(fields, (field, value, open) => this.change(field.key, value, open));
+        const copy = button("Copy TOML", "the whole scene, as `mane simulate` takes it", () => void this.copy(copy));
+        this.root.append(
+            element("div", { class: "row bar" }, this.undoButton, this.redoButton,
+                button("Reset", "all parameters as the scene was opened", () => this.reset()), copy),
+            element("div", { class: "row rates" }, element("span", { class: "label" }, "Rates"),
+                element("div", { class: "choice", role: "group" },
+                    ...kRates.map(([name, tip]) => button(name, tip, () => this.setRates(name))))),
+            this.panel.root,
+        );
+        this.showHistory();
+    }
+
+    /** Values of all fields, from the solver. `opened`: of a scene that was just opened. */
+    show(values: Values, opened: boolean): void {
+        if (opened) {
+            this.opened = values;
+            this.history.clear();
+        }
+        if (this.before && !opened) this.keepDifferences(this.before, values);
+        this.before = null;
+        this.values = values;
+        this.panel.show(values, this.opened);
+        this.showHistory();
+    }
+
+    /** The solver has refused the last change. */
+    refuse(): void {
+        if (this.before) this.before = null;
+        else this.history.drop();
+        this.show(this.values, false);
+    }
+
+    undo(): void {
+        this.send(this.history.undo());
+    }
+    redo(): void {
+        this.send(this.history.redo());
+    }
+
+    reset(): void {
+        this.send(this.keepDifferences(this.values, this.opened));
+    }
+
+    /** One step from these values to those; null if they are the same. */
+    private keepDifferences(from: Values, to: Values): Setting[] | null {
+        const keys = Object.keys(to).filter((key) => from[key] !== to[key]);
+        if (keys.length === 0) return null;
+        const of = (values: Values): Setting[] => keys.map((key) => ({ key, value: values[key] }));
+        this.history.add(of(from), of(to));
+        return of(to);
+    }
+
+    /** C++ knows what a preset means; what it has changed comes back. */
+    private setRates(preset: string): void {
+        this.before = this.values;
+        this.events.rates(preset);
+    }
+
+    private change(key: string, value: string, open: boolean): void {
+        this.history.add([{ key, value: this.values[key] }], [{ key, value }], open);
+        this.send([{ key, value }]);
+    }
+
+    private send(settings: Setting[] | null): void {
+        if (settings) this.events.set(settings);
+        this.showHistory();
+    }
+
+    private showHistory(): void {
+        this.undoButton.disabled = !this.history.canUndo;
+        this.redoButton.disabled = !this.history.canRedo;
+    }
+
+    private async copy(by: HTMLButtonElement): Promise<void> {
+        await copyText(await this.events.scene());
+        by.textContent = "Copied";
+        setTimeout(() => (by.textContent = "Copy TOML"), 1500);
+    }
+}
+
+/** Some browsers give no clipboard to pages from a disk; all copy what is selected. */
+async function copyText(text: string): Promise<void> {
+    try {
+        await navigator.clipboard.writeText(text);
+    } catch {
+        const area = element("textarea", { value: text });
+        document.body.append(area);
+        area.select();
+        document.execCommand("copy");
+        area.remove();
+    }
+}

@@ -1,0 +1,5 @@
+/** A scene's text (build.mjs). */
+declare module "*.toml" {
+    const text: string;
+    export default text;
+}
