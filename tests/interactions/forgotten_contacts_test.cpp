@@ -1,5 +1,6 @@
 /// A detection that forgets what it found decides as a new one does (M23 without the hysteresis).
 
+#include "interactions/contact_geometry.h"
 #include "interactions/wisp_detection.h"
 #include "reference/random_groom.h"
 #include "step/core_hair.h"
