@@ -20,6 +20,7 @@ const settled = (page) => page.waitForFunction(() => window.mane.settled, null, 
 async function openStage(run, width, height) {
     const { page, complaints, close } = await openPage(browser, pathToFileURL(resolve(runs, `${run}.html`)).href, { width: 900, height: 900 });
     await page.waitForFunction(() => window.mane);
+    await page.evaluate(() => (window.mane.view.rounds = 2));
     await page.addStyleTag({
         content: `#stage { position: fixed !important; inset: 0 auto auto 0; width: ${width}px; height: ${height}px; z-index: 5 } #stage .views, #stage .hud { display: none }`,
     });
@@ -63,7 +64,7 @@ const layers = [
     ["envelope", { layers: { ...kNone, envelope: true } }],
     ["strands", { layers: { ...kNone, strands: true } }],
 ];
-const strip = [96, 118, 134, 150, 166, 200];
+const strip = [142, 148, 154, 160, 166, 178]; // a bow and a toss
 
 {
     const { take, close } = await openStage("long", 300, 330);
