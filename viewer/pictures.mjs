@@ -108,9 +108,10 @@ const strip = [142, 148, 154, 160, 166, 178]; // a bow and a toss
         const { mane } = window;
         const set = (key, value) => mane.link.send({ kind: "set", settings: [{ key, value }] });
         mane.setRunning(false);
+        mane.link.send({ kind: "rates", preset: "paper" });
         mane.restart();
         set("air.wind", "[2.5, 0, 1.5]");
-        set("motion.shake", "45");
+        set("motion.shake", "40");
         mane.step(70);
         await mane.stateHash();
         // A lock of hair is held up.
