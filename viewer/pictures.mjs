@@ -1,6 +1,6 @@
-// The pictures of README.md and docs/, taken of pages of `mane view` in a headless browser:
+// The pictures of README.md and docs/, taken of pages in a headless browser:
 //   node pictures.mjs RUN_FOLDER OUTPUT_FOLDER
-// RUN_FOLDER holds short.html, medium.html and long.html, the last with recorded contacts.
+// RUN_FOLDER holds short.html, medium.html and long.html, the last with recorded contacts, and live.html of `mane live`.
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -20,6 +20,7 @@ const settled = (page) => page.waitForFunction(() => window.mane.settled, null, 
 async function openStage(run, width, height) {
     const { page, complaints, close } = await openPage(browser, pathToFileURL(resolve(runs, `${run}.html`)).href, { width: 900, height: 900 });
     await page.waitForFunction(() => window.mane);
+    await page.evaluate(() => (window.mane.view.rounds = 2));
     await page.addStyleTag({
         content: `#stage { position: fixed !important; inset: 0 auto auto 0; width: ${width}px; height: ${height}px; z-index: 5 } #stage .views, #stage .hud { display: none }`,
     });
@@ -63,7 +64,7 @@ const layers = [
     ["envelope", { layers: { ...kNone, envelope: true } }],
     ["strands", { layers: { ...kNone, strands: true } }],
 ];
-const strip = [96, 118, 134, 150, 166, 200];
+const strip = [142, 148, 154, 160, 166, 178]; // a bow and a toss
 
 {
     const { take, close } = await openStage("long", 300, 330);
@@ -98,6 +99,33 @@ const strip = [96, 118, 134, 150, 166, 200];
     await settled(page);
     writeFileSync(join(output, "view.png"), await page.screenshot());
     console.log("view.png");
+    await close();
+}
+{
+    const { page, close } = await openPage(browser, pathToFileURL(resolve(runs, "live.html")).href, { width: 1200, height: 760 });
+    await page.waitForFunction(() => window.mane?.frames?.newest, null, { timeout: 60_000 });
+    await page.evaluate(async () => {
+        const { mane } = window;
+        const set = (key, value) => mane.link.send({ kind: "set", settings: [{ key, value }] });
+        mane.setRunning(false);
+        mane.restart();
+        set("air.wind", "[2.5, 0, 1.5]");
+        set("motion.shake", "45");
+        mane.step(70);
+        await mane.stateHash();
+        // A lock of hair is held up.
+        const tip = mane.world.hair.firstSection[20] - 1;
+        const { position, origin } = mane.frames.newest;
+        const place = [0.1, 0.12, 0].map((by, i) => position[3 * tip + i] + origin[i] + by);
+        mane.hand.pins.set(tip, place);
+        mane.link.send({ kind: "pin", section: tip, position: place });
+        mane.step(20);
+        await mane.stateHash();
+    });
+    await page.waitForTimeout(400);
+    await settled(page);
+    writeFileSync(join(output, "live.png"), await page.screenshot());
+    console.log("live.png");
     await close();
 }
 await browser.close();

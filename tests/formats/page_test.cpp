@@ -56,7 +56,7 @@ struct Unpacked {
     }
     template <typename T> std::vector<T> numbers(const std::string& name) const {
         const nlohmann::json& e = entry(name);
-        std::vector<T> values(e["count"]);
+        std::vector<T> values(e["count"].get<std::size_t>());
         std::memcpy(values.data(), bytes.data() + arrays + e["offset"].get<std::size_t>(),
                     values.size() * sizeof(T));
         return values;
@@ -168,7 +168,7 @@ TEST_CASE("a page's frames are the cache's, to half a step") {
     const Folder folder;
     const SmallRun run;
     const CacheReader cache = run.cache(folder.path / "a.mane", false);
-    const Unpacked page(page_data(cache, {.title = "a"}));
+    const Unpacked page(page_data(cache, {"a", {}, {}}));
     CHECK(page.header["title"] == "a");
     CHECK(page.header["wisps"] == 2);
     CHECK(page.numbers<std::uint32_t>("strands") == run.setup.groom.strands);
@@ -239,7 +239,7 @@ TEST_CASE("a page is the template with the data in its place; what does not fit 
 
     CHECK_THROWS_AS(write_page(cache, {}, "no place", file), InputError);
     const FrameSeries series{"energy", "J", {1, 2}};
-    CHECK_THROWS_WITH_AS(page_data(cache, {.head = {series}}),
+    CHECK_THROWS_WITH_AS(page_data(cache, {"a", {series}, {}}),
                          "series \"energy\" has 2 values, expected 5", InputError);
     run.frames[2].position[1].x = std::numeric_limits<float>::quiet_NaN();
     CHECK_THROWS_WITH_AS(page_data(run.cache(folder.path / "b.mane", false), {}),

@@ -41,9 +41,13 @@ const kVertices = 32, // of a strand
     kFewVertices = 14, // where the machine is slow and everything moves
     kFirstStrands = 10_000, // a first picture shows at least so many
     kFewest = 400, // strands of a part
+    kPassCost = 600, // strands that take as long as all else of a pass
     kFewestMoving = 3000, // of a picture while everything moves, however slow the machine
-    kMostPasses = 12,
+    kMostPasses = 24,
     kSmoothPasses = 8, // at least, or edges would show steps
+    kThinRounds = 3, // where there are few strands
+    kFast = 150, // strands per millisecond
+    kFastRounds = 4,
     kWidestLine = 1.6, // [pixels] of a strand that is drawn as a line; wider ones are ribbons
     kWidest = 5; // [pixels] of a strand while everything moves
 const kFineNodes = 110_000, // of the grid that light is looked up in
@@ -67,6 +71,8 @@ function halton(n: number, base: number): number {
  */
 export class HairView {
     readonly camera = new OrbitCamera();
+    /** How often a still picture goes over all strands: more leave less to chance. 0: as hair and machine ask for. */
+    rounds = 0;
     /** Drawn over everything, for annotations; call `touch` after changing it. */
     readonly marks = new LineList();
 
@@ -97,7 +103,8 @@ export class HairView {
     private heading = NaN; // [rad] of the camera when lights were swept
     private pass = 0;
     private slot = 0; // next strand of the pass
-    private passes = 1;
+    private passes = 1; // that have all strands among them
+    private lastPass = 1; // of a still picture
     private moving = false;
     private picture: Progress = { strands: 0, of: 0, done: false };
     private flight: { sync: WebGLSync; strands: number; started: number } | null = null;
@@ -273,6 +280,7 @@ export class HairView {
         this.passes = moving
             ? Math.max(1, Math.floor((this.affordable * wanted) / Math.max(count, 1)))
             : Math.max(1, Math.min(wanted, Math.ceil(count / kFirstStrands)));
+        this.lastPass = this.passes * this.stillRounds(count);
         this.picture = { strands: 0, of: count, done: false };
     }
 
@@ -300,31 +308,48 @@ export class HairView {
         this.launch(perPass * this.passes, started);
     }
 
-    /** The next part of a still picture; whole passes are shown. */
+    /** The next part of a still picture, for about `budget` ms; whole passes are shown. */
     private drawPart(budget: number): void {
-        const started = performance.now();
+        const started = performance.now(),
+            before = this.pass;
+        const least = this.pass === 0 && this.slot === 0 ? kFirstStrands : kFewest;
+        let left = Math.max(Math.floor(this.speed * budget), least),
+            drawn = 0;
+        while (left > 0 && !this.picture.done) {
+            const now = this.drawSome(left);
+            drawn += now;
+            left -= now + kPassCost;
+        }
+        if (this.pass > before || this.pass === 0) this.show();
+        this.launch(drawn, started);
+    }
+
+    /** Draws at most `most` strands of the present pass, and ends it behind its last one. How many it drew. */
+    private drawSome(most: number): number {
         const count = this.picture.of,
-            rounds = Math.ceil(kSmoothPasses / this.passes); // so many times over all strands
-        const part = this.pass % this.passes;
+            part = this.pass % this.passes;
         const first = Math.floor((count * part) / this.passes),
             end = Math.floor((count * (part + 1)) / this.passes);
         if (this.slot === 0) this.beginPass();
         else this.film.resumePass();
-        const isFirst = this.pass === 0 && this.slot === 0;
-        const affordable = Math.max(Math.floor(this.speed * budget), kFewest);
-        const now = Math.min(isFirst ? Math.max(affordable, kFirstStrands) : affordable, end - first - this.slot);
+        const now = Math.min(most, end - first - this.slot);
         this.drawStrands(first + this.slot, now, count / Math.max(end - first, 1), kVertices);
         this.slot += now;
         if (this.pass < this.passes) this.picture.strands += now;
-        const whole = first + this.slot >= end;
-        if (whole) {
+        if (first + this.slot >= end) {
             this.film.endPass();
             this.slot = 0;
             ++this.pass;
         }
-        this.picture.done = this.pass >= this.passes * rounds;
-        if (whole || this.pass === 0) this.show();
-        this.launch(now, started);
+        this.picture.done = this.pass >= this.lastPass;
+        return now;
+    }
+
+    /** So many times over all strands: enough for smooth edges, more where hair is thin or the machine fast. */
+    private stillRounds(count: number): number {
+        const thin = count > 0 ? Math.min(kFirstStrands / count, kThinRounds) : 1;
+        const fast = count > 0 && this.speed > kFast ? kFastRounds : 1;
+        return Math.ceil(((this.rounds || Math.max(thin, fast, 1)) * Math.max(kSmoothPasses, this.passes)) / this.passes);
     }
 
     private launch(strands: number, started: number): void {

@@ -60,7 +60,7 @@ export class StrandLayer {
     draw(first: number, count: number, vertices: number, ribbons: boolean, uniforms: Uniforms): void {
         const gl = this.gl;
         this.bind();
-        this.program.use({ ...this.uniforms(), ...uniforms, uVertices: vertices, uRibbon: ribbons, uRoughness: 0.32, uTilt: 0.05 });
+        this.program.use({ ...this.uniforms(), ...uniforms, uVertices: vertices, uRibbon: ribbons, uRoughness: 0.28, uTilt: 0.06 });
         gl.bindVertexArray(this.array);
         this.pointAttributes(first, 1);
         if (ribbons) gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 2 * vertices, count);

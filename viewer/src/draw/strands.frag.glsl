@@ -1,15 +1,22 @@
 #version 300 es
 precision highp float;
+precision highp int;
 in vec3 vRadiance;
 in float vCoverage;
-flat in float vChance;
-uniform float uPass;
+flat in uint vStrand;
+uniform int uPass;
 out vec4 oRadiance;
 
-// What covers a part of a pixel covers the whole of it in so many of the passes, each strand in others.
+// What covers a part of a pixel covers the whole of it in so many of the passes: each strand, pixel and pass by a chance of its
+// own, since strands behind each other that left out the same pixels would be seen through.
+float chance(uvec2 pixel) {
+    uint n = pixel.x * 1597334677u ^ pixel.y * 3812015801u ^ vStrand * 2654435769u ^ uint(uPass) * 668265263u;
+    n = (n ^ (n >> 16)) * 2246822519u;
+    n = (n ^ (n >> 13)) * 3266489917u;
+    return float(n >> 8) / 16777216.0;
+}
+
 void main() {
-    float pixel = 52.9829189 * fract(dot(gl_FragCoord.xy + 5.588238 * uPass, vec2(0.06711056, 0.00583715)));
-    float chance = fract(pixel + vChance);
-    if (vCoverage < chance) discard;
+    if (vCoverage < 1.0 && vCoverage < chance(uvec2(gl_FragCoord.xy))) discard;
     oRadiance = vec4(vRadiance, 1.0);
 }

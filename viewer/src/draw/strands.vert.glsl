@@ -21,8 +21,8 @@ uniform bool uByWisp;
 uniform int uSelected;    // wisp; −1: none
 
 out vec3 vRadiance;
-out float vCoverage;    // share of a pixel that a line covers
-flat out float vChance; // of the strand's own
+out float vCoverage;  // share of a pixel that a line covers
+flat out uint vStrand; // a number of its own
 
 float random(uint n) {
     n = (n ^ 61u) ^ (n >> 16);
@@ -52,7 +52,7 @@ void main() {
     float width = mix(uWidth.x, uWidth.y, float(i) / float(uVertices - 1)), pixel = uPixel * distance;
     vec3 side = vec3(0.0);
     vCoverage = width / pixel;
-    vChance = random(aWisp.z + 15485863u);
+    vStrand = aWisp.z;
     if (uRibbon) {
         side = normalize(cross(tangent, viewer) + 1e-9) * (0.5 * max(width, 0.6 * pixel));
         if ((gl_VertexID & 1) == 0) side = -side;

@@ -8,7 +8,7 @@ export interface Control<T> {
 
 const hint = (tip: string, key?: string): string => (key ? `${tip} (${key})` : tip);
 
-export function button(label: string | Element, tip: string, onclick: () => void, key?: string): HTMLButtonElement {
+export function button(label: string | Element, tip: string, onclick: (e: MouseEvent) => void, key?: string): HTMLButtonElement {
     return element("button", { type: "button", class: "button", title: hint(tip, key), onclick }, label);
 }
 

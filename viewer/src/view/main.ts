@@ -6,6 +6,7 @@ import { element } from "../ui/dom";
 import { icon } from "../ui/icons";
 import { aim, headYaw, kViews, look as lookFrom } from "../ui/focus";
 import { HairPanel, kLayers } from "../ui/hair_panel";
+import { showKeys } from "../ui/keys";
 import { showMessage } from "../ui/message";
 import { orbitControls } from "../ui/orbit_controls";
 import type { Plot } from "../ui/plot";
@@ -88,8 +89,8 @@ class ViewPage {
             element("span", { class: "facts" },
                 `${run.hair.wisps} wisps of ${segments} segments · ${run.frames} frames at ${run.frameRate} Hz · ${run.contacts ? "with" : "without"} recorded contacts`),
             element("span", { class: "space" }),
-            button("PNG", "save the picture of this frame", () => this.savePicture(), "p"),
-            button("?", "keys", () => showKeys(shortcuts), "h"),
+            button("PNG", "save the picture of this frame; with Shift, without the background", (e) => this.savePicture(e.shiftKey), "p"),
+            button("?", "keys", () => showKeys(kPointers, shortcuts), "h"),
         );
     }
 
@@ -134,9 +135,9 @@ class ViewPage {
             { keys: ["l"], label: "loop", does: () => document.getElementById("loop")!.click() },
             ...kLayers.map(([layer, label, , key]) => ({ keys: [key], label: `layer: ${label.toLowerCase()}`, does: () => this.panel.toggleLayer(layer) })),
             ...kViews.map(([label, degrees, key]) => ({ keys: [key], label: `view: ${label.toLowerCase()}`, does: () => this.lookFrom(degrees) })),
-            { keys: ["p"], label: "save a PNG", does: () => this.savePicture() },
+            { keys: ["p"], label: "save a PNG", does: () => this.savePicture(false) },
             { keys: ["Escape"], label: "no wisp selected", does: () => this.escape() },
-            { keys: ["h", "?"], label: "this list", does: () => showKeys(shortcuts) },
+            { keys: ["h", "?"], label: "this list", does: () => showKeys(kPointers, shortcuts) },
         ];
         return shortcuts;
     }
@@ -249,9 +250,9 @@ class ViewPage {
         requestAnimationFrame(() => this.tick());
     }
 
-    private async savePicture(): Promise<void> {
+    private async savePicture(transparent: boolean): Promise<void> {
         try {
-            const url = URL.createObjectURL(await this.view.capture(false));
+            const url = URL.createObjectURL(await this.view.capture(transparent));
             element("a", { href: url, download: `${this.run.title}-${String(this.shown).padStart(4, "0")}.png` }).click();
             setTimeout(() => URL.revokeObjectURL(url), 10_000);
         } catch (error) {
@@ -260,16 +261,7 @@ class ViewPage {
     }
 }
 
-function showKeys(shortcuts: readonly Shortcut[]): void {
-    const names: Record<string, string> = { " ": "Space", ArrowLeft: "←", ArrowRight: "→", Escape: "Esc" };
-    showMessage("Keys", "Drag to go round the head, with Shift to move across, wheel to come nearer. Click a wisp to see why it moved.", true);
-    const box = document.querySelector(".message")!;
-    box.classList.add("help");
-    box.querySelector("p")!.after(element("dl", {}, ...shortcuts.flatMap((s) => [
-        element("dt", {}, element("kbd", {}, names[s.keys[0]] ?? s.keys[0].toUpperCase())),
-        element("dd", {}, s.label),
-    ])));
-}
+const kPointers = "Drag to go round the head, with Shift to move across; wheel to come nearer. Click a wisp to see why it moved.";
 
 let shownPage: ViewPage | undefined;
 

@@ -5,7 +5,16 @@ import { contactPoint, isPenetration, isWithBody, kContactKinds, otherWisp, type
 import { kContactColours, channels } from "./figures";
 import type { Run } from "./run";
 
-const kListed = 60; // contacts; the others are counted
+const kLongest = 0.06; // [m] of an arrow
+const kListed = 40; // contacts of a group; the others are counted
+
+/** Contacts of one kind with one partner. */
+interface Group {
+    key: string;
+    partner: number; // wisp; −1: itself or a body
+    contacts: Contact[];
+    strength: number; // of all
+}
 
 /** "Why did this move?": what acts on the selected wisp in this frame, and how it fares over the run. */
 export class WispPanel {
@@ -26,6 +35,7 @@ export class WispPanel {
 
     setWisp(wisp: number): void {
         this.wisp = wisp;
+        this.root.classList.toggle("selected", wisp >= 0);
         if (wisp < 0) {
             this.view.marks.clear();
             this.view.touch();
@@ -111,35 +121,69 @@ export class WispPanel {
         }
         const list = run.contacts.ofWisp(frame, run.hair, wisp);
         this.mark(list, frame);
-        const counts = kContactKinds.map((name, kind) => [list.filter((c) => c.kind === kind).length, name] as const);
+        const open = new Set([...this.contacts.querySelectorAll("details[open]")].map((d) => d.getAttribute("data-group")));
         replaceChildren(this.contacts,
             element("h2", {}, `${list.length || "No"} contacts in this frame`),
-            element("p", { class: "hint" }, counts.filter(([n]) => n > 0).map(([n, name]) => `${n} ${name}`).join(", ")),
-            element("ul", { class: "contacts" }, ...list.slice(0, kListed).map((c) => this.describe(c))),
-            list.length > kListed && element("p", { class: "hint" }, `and ${list.length - kListed} weaker ones`),
+            element("div", { class: "contacts" }, ...this.groups(list).map((g) => this.describeGroup(g, open))),
         );
     }
 
-    private describe(contact: Contact): HTMLElement {
-        const { run, wisp } = this;
-        const kind = kContactKinds[contact.kind];
-        const other = isWithBody(contact) ? -1 : otherWisp(run.hair, contact, wisp);
-        const partner = other < 0
-            ? `${run.bodies[contact.body]?.name ?? "body"}, polygon ${contact.other}`
-            : other === wisp ? "itself" : `wisp ${other}`;
-        const segment = contact.section - run.hair.firstSection[this.ownerOf(contact)];
-        const point = contact.point === 0 ? "skeleton point" : contact.point === 255 ? "the axis" : `envelope point ${contact.point}`;
-        const item = element("li", { title: other >= 0 && other !== wisp ? `go to wisp ${other}` : "" },
-            element("span", {}, `${kind} with ${partner}`),
-            element("span", { class: "strength" }, strengthOf(contact)),
-            element("span", { class: "where" }, `${point} of section ${segment}${this.ownerOf(contact) === wisp ? "" : ` of wisp ${this.ownerOf(contact)}`}`),
-        );
-        item.style.setProperty("--colour", kContactColours[contact.kind]);
-        if (other >= 0 && other !== wisp) {
-            item.classList.add("link");
-            item.onclick = () => this.select(other);
+    /** By kind and partner; the strongest first, penetration reactions before all. */
+    private groups(list: readonly Contact[]): Group[] {
+        const groups = new Map<string, Group>();
+        for (const contact of list) {
+            const partner = this.partnerOf(contact),
+                key = `${kContactKinds[contact.kind]} with ${partner.name}`;
+            const group = groups.get(key) ?? { key, partner: partner.wisp, contacts: [], strength: 0 };
+            group.contacts.push(contact);
+            group.strength += contact.strength;
+            groups.set(key, group);
         }
-        return item;
+        const rank = (g: Group) => (isPenetration(g.contacts[0]) ? 1e6 + g.strength : g.strength);
+        return [...groups.values()].sort((a, b) => rank(b) - rank(a));
+    }
+
+    private partnerOf(contact: Contact): { name: string; wisp: number } {
+        const { run, wisp } = this;
+        if (isWithBody(contact)) return { name: run.bodies[contact.body]?.name ?? "a body", wisp: -1 };
+        const other = otherWisp(run.hair, contact, wisp);
+        return other === wisp ? { name: "itself", wisp: -1 } : { name: `wisp ${other}`, wisp: other };
+    }
+
+    private describeGroup(group: Group, open: ReadonlySet<string | null>): HTMLElement {
+        const { contacts, partner } = group;
+        const go = partner >= 0 && element("button", {
+            type: "button", class: "button go", title: `go to wisp ${partner}`,
+            onclick: (e: Event) => {
+                e.preventDefault();
+                this.select(partner);
+            },
+        }, "→");
+        const details = element("details", { open: open.has(group.key), "data-group": group.key },
+            element("summary", {},
+                element("span", {}, group.key),
+                element("span", { class: "count" }, contacts.length > 1 ? `× ${contacts.length}` : ""),
+                element("span", { class: "strength" }, strengthOf(contacts[0], group.strength)),
+                go || element("span")),
+            element("ul", {}, ...contacts.slice(0, kListed).map((c) => this.describe(c))),
+            contacts.length > kListed && element("p", { class: "hint" }, `and ${contacts.length - kListed} weaker ones`),
+        );
+        details.style.setProperty("--colour", kContactColours[contacts[0].kind]);
+        return details;
+    }
+
+    /** One contact: which point, where, how strong. */
+    private describe(contact: Contact): HTMLElement {
+        const owner = this.ownerOf(contact),
+            section = contact.section - this.run.hair.firstSection[owner];
+        const point = contact.point === 0 ? `skeleton point of section ${section}`
+            : contact.point === 255 ? `between sections ${section} and ${section + 1}`
+            : `envelope point ${contact.point} of section ${section}`;
+        return element("li", {},
+            element("span", {}, point,
+                owner === this.wisp ? "" : ` of wisp ${owner}`,
+                isWithBody(contact) ? `, polygon ${contact.other}` : ""),
+            element("span", { class: "strength" }, strengthOf(contact, contact.strength)));
     }
 
     private ownerOf(contact: Contact): number {
@@ -148,7 +192,7 @@ export class WispPanel {
         return own ? this.wisp : otherWisp(this.run.hair, contact, this.wisp);
     }
 
-    /** Dots where the contacts are, arrows for what they do to this wisp: the strongest 4 cm long. */
+    /** Dots where the contacts are, arrows for what they do to this wisp: the strongest `kLongest` long. */
     private mark(list: readonly Contact[], frame: number): void {
         const { run, view } = this,
             marks = view.marks,
@@ -164,13 +208,13 @@ export class WispPanel {
             // The other side got the opposite.
             const sign = this.ownerOf(contact) === this.wisp ? 1 : -1;
             if (share > 0.15)
-                marks.arrow(p, p.map((x, i) => x + sign * contact.direction[i] * 0.04 * share), 2, 0.35, [r, g, b, 0.95]);
+                marks.arrow(p, p.map((x, i) => x + sign * contact.direction[i] * kLongest * share), 2, 0.35, [r, g, b, 0.95]);
         }
     }
 }
 
-function strengthOf(contact: Contact): string {
-    if (isPenetration(contact)) return `moved ${(1000 * contact.strength).toPrecision(2)} mm`;
-    const s = contact.strength;
+/** A strength as people read it: of one contact, or of several like it. */
+function strengthOf(like: Contact, s: number): string {
+    if (isPenetration(like)) return `moved ${(1000 * s).toPrecision(2)} mm`;
     return s === 0 ? "0 N·s" : s < 1e-6 ? `${(1e9 * s).toPrecision(3)} nN·s` : s < 1e-3 ? `${(1e6 * s).toPrecision(3)} µN·s` : `${(1e3 * s).toPrecision(3)} mN·s`;
 }
