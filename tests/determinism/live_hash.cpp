@@ -58,7 +58,8 @@ struct Player {
     }
     void lead(const World& world) {
         HeadPose pose = head->target();
-        pose.position += Vec3d(jerks.next(), jerks.next(), jerks.next()) * 0.01;
+        // in braces, which are worked out from left to right
+        pose.position += Vec3d{jerks.next(), jerks.next(), jerks.next()} * 0.01;
         pose.rotation = pose.rotation * Quatd{0.1 * jerks.next(), 0.2 * jerks.next(), 0, 1};
         pose.chest = pose.chest * Quatd{0, 0.05 * jerks.next(), 0, 1};
         head->move_to(pose, world.frame().time, world.next_time());
