@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of README.md and docs/view.md: the layers, the styles, a strip of frames and the page of `mane view`, all
-# drawn by that page itself.
+# Makes the pictures of README.md, docs/view.md and docs/live.md: the layers, the styles, a strip of frames and the pages of
+# `mane view` and `mane live`, all drawn by those pages.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mane=build/release/tools/mane
@@ -11,4 +11,5 @@ for style in short medium long; do
     "$mane" simulate "scenes/$style.toml" -o "$work/$style.mane" --threads 0 --record >/dev/null
     "$mane" view "$work/$style.mane" -o "$work/$style.html" >/dev/null
 done
+"$mane" live -o "$work/live.html"
 node viewer/pictures.mjs "$work" docs/images

@@ -2,7 +2,8 @@
 # Packages that are there already cost nothing: no network is used then.
 
 mane_packages_build="cmake ninja-build g++ pkg-config libhwy-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libzstd-dev libxxhash-dev libembree-dev libpng-dev zlib1g-dev nodejs npm ccache"
-mane_packages_test="doctest-dev clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 emscripten chromium"
+mane_packages_live="emscripten libcpp-httplib-dev" # `mane live`; the rest builds without
+mane_packages_test="doctest-dev clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 chromium $mane_packages_live"
 mane_packages_neon="g++-aarch64-linux-gnu qemu-user" # not all machines can have a cross compiler
 
 mane_install() {

@@ -1,6 +1,6 @@
-// The pictures of README.md and docs/, taken of pages of `mane view` in a headless browser:
+// The pictures of README.md and docs/, taken of pages in a headless browser:
 //   node pictures.mjs RUN_FOLDER OUTPUT_FOLDER [NAME…]
-// RUN_FOLDER holds short.html, medium.html and long.html, the last with recorded contacts.
+// RUN_FOLDER holds short.html, medium.html and long.html, the last with recorded contacts, and live.html of `mane live`.
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -102,6 +102,33 @@ if (wanted("view.png")) {
     await settled(page);
     writeFileSync(join(output, "view.png"), await page.screenshot());
     console.log("view.png");
+    await close();
+}
+if (wanted("live.png")) {
+    const { page, close } = await openPage(browser, pathToFileURL(resolve(runs, "live.html")).href, { width: 1200, height: 760 });
+    await page.waitForFunction(() => window.mane?.frames?.newest, null, { timeout: 60_000 });
+    await page.evaluate(async () => {
+        const { mane } = window;
+        const set = (key, value) => mane.link.send({ kind: "set", settings: [{ key, value }] });
+        mane.setRunning(false);
+        mane.restart();
+        set("air.wind", "[2.5, 0, 1.5]");
+        set("motion.shake", "45");
+        mane.step(70);
+        await mane.stateHash();
+        // A lock of hair is held up.
+        const tip = mane.world.hair.firstSection[20] - 1;
+        const { position, origin } = mane.frames.newest;
+        const place = [0.1, 0.12, 0].map((by, i) => position[3 * tip + i] + origin[i] + by);
+        mane.hand.pins.set(tip, place);
+        mane.link.send({ kind: "pin", section: tip, position: place });
+        mane.step(20);
+        await mane.stateHash();
+    });
+    await page.waitForTimeout(400);
+    await settled(page);
+    writeFileSync(join(output, "live.png"), await page.screenshot());
+    console.log("live.png");
     await close();
 }
 await browser.close();

@@ -28,8 +28,10 @@ class Threads {
     /// the last, like `run`.
     template <typename Body>
     void run_ranges(std::size_t count, std::size_t per_chunk, Body&& body) {
-        run((count + per_chunk - 1) / per_chunk,
-            [&](std::size_t c) { body(c * per_chunk, std::min(count, (c + 1) * per_chunk)); });
+        const auto run_chunk = [&](std::size_t c) {
+            body(c * per_chunk, std::min(count, (c + 1) * per_chunk));
+        };
+        run((count + per_chunk - 1) / per_chunk, std::ref(run_chunk)); // a copy would be allocated
     }
 
   private:

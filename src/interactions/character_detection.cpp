@@ -329,6 +329,7 @@ void CharacterContacts::forget() {
     contacts_.clear();
     carried_.clear();
     impulses_.clear();
+    reactions_.clear();
 }
 
 void CharacterContacts::list(const Groom& groom, std::vector<Contact>& contacts) const {

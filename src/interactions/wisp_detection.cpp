@@ -78,6 +78,8 @@ void WispDetection::change(const WispContactDesc& desc) {
 void WispDetection::forget() {
     list_.contacts.clear();
     std::fill(list_.first.begin(), list_.first.end(), 0u);
+    for (Found& found : chunks_)
+        found.sliding = {};
 }
 
 void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads) {

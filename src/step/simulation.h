@@ -56,10 +56,7 @@ struct Simulation {
     KernelData kernel_data();
     /// Runs a kernel over all packets, side by side.
     template <typename Work> void for_packets(Work&& work) {
-        const std::size_t packets = layout.packets().size();
-        threads.run((packets + kPacketsPerChunk - 1) / kPacketsPerChunk, [&](std::size_t c) {
-            work(c * kPacketsPerChunk, std::min(packets, (c + 1) * kPacketsPerChunk));
-        });
+        threads.run_ranges(layout.packets().size(), kPacketsPerChunk, work);
     }
 };
 

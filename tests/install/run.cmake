@@ -14,4 +14,6 @@ run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${STAGE}/prefix --component lib
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR} -B ${STAGE}/build
     -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH=${STAGE}/prefix)
 run(${CMAKE_COMMAND} --build ${STAGE}/build)
-execute_process(COMMAND ${STAGE}/build/uses_mane WORKING_DIRECTORY ${STAGE} COMMAND_ERROR_IS_FATAL ANY)
+foreach(program uses_mane uses_mane_c)
+    execute_process(COMMAND ${STAGE}/build/${program} WORKING_DIRECTORY ${STAGE} COMMAND_ERROR_IS_FATAL ANY)
+endforeach()

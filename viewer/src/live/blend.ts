@@ -51,8 +51,9 @@ export class FrameBlend {
     /** The hair now; null if it is the same as when last asked. `still`: no frame is on its way, so the latest one. */
     at(now: number, still: boolean): HairFrame | null {
         if (!this.latest) return null;
-        const jumped = this.before !== null && this.latest.frame.time - this.before.frame.time > 1.5 / this.world.frameRate;
-        const share = still || !this.before || jumped ? 1 : Math.min(1, (now - this.arrival) / this.interval);
+        const step = this.before ? this.latest.frame.time - this.before.frame.time : 0;
+        const follows = step > 0 && step < 1.5 / this.world.frameRate; // else it is another place, or frames were missed
+        const share = still || !follows ? 1 : Math.min(1, (now - this.arrival) / this.interval);
         if (share === this.shown) return null;
         this.shown = share;
         // Never the frame itself: who draws keeps it, and its memory goes back to the solver.

@@ -111,11 +111,16 @@ function numberRow(field: Field, name: string, send: (value: unknown, pulling: b
     const text = element("input", { class: "value" });
     text.setAttribute("aria-label", `${slider.getAttribute("aria-label")} as text`);
     const pulled = () => rounded(scale.toNumber(slider.valueAsNumber), field.kind === "whole");
+    let held = false; // what is under a hand stays there
     slider.addEventListener("input", () => {
+        held = true;
         text.value = shown(pulled(), field.unit);
         if (field.live) send(pulled(), true);
     });
-    slider.addEventListener("change", () => send(pulled(), false));
+    slider.addEventListener("change", () => {
+        held = false;
+        send(pulled(), false);
+    });
     // Typed numbers may carry any unit: C++ reads them. Bare ones are in the field's unit.
     text.addEventListener("change", () => send(/^[-+.\d]+(e[-+]?\d+)?$/i.test(text.value.trim()) ? Number(text.value) : text.value.trim(), false));
     if (name) root.append(element("span", { class: "axis" }, name));
@@ -123,6 +128,7 @@ function numberRow(field: Field, name: string, send: (value: unknown, pulling: b
     return {
         root,
         show(number: number) {
+            if (held) return;
             if (document.activeElement !== text) text.value = shown(number, field.unit);
             slider.value = String(scale.toWay(number));
         },

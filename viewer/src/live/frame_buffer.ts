@@ -5,7 +5,7 @@
 import type { BonePoses, HairFrame } from "../hair/hair";
 import type { FrameLayout } from "./protocol";
 
-/** A frame of the buffer's own memory. `index` and `time` are the reader's to fill. */
+/** A frame of the buffer's own memory, with the time that is in it now; its index is the reader's to fill. */
 export function frameOf(buffer: ArrayBufferLike, layout: FrameLayout, begin = 0): HairFrame {
     const doubles = (offset: number, count: number) => new Float64Array(buffer, begin + 8 * offset, count);
     const floats = (from: number, to: number) => new Float32Array(buffer, begin + from, (to - from) / 4);

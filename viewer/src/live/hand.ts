@@ -14,12 +14,14 @@ export interface HandEvents {
     hold(hold: Hold): void;
     pin(section: number, place: Vec3): void;
     release(section: number): void;
+    pinsChanged(): void;
 }
 
 const kRadiansPerPixel = 0.008,
     kClickPixels = 4,
     kReach = 0.2, // [m] around the middle of the head: what is near it is the head
     kGrasp = 18; // [pixels] around a skeleton point
+const kPinColour = [1, 0.72, 0.3, 1];
 
 export const kAtEase: Hold = { position: [0, 0, 0], yaw: 0, pitch: 0, roll: 0 };
 
@@ -67,6 +69,18 @@ export class Hand {
         this.pins.clear();
     }
 
+    /** Draws the pins: a dot where each holds, and a line from the point it holds. */
+    mark(frame: HairFrame): void {
+        const { marks } = this.view;
+        const origin: Vec3 = [frame.origin[0], frame.origin[1], frame.origin[2]];
+        marks.clear();
+        for (const [section, place] of this.pins) {
+            const at = subtract(place, origin);
+            marks.line(subtract(pointOf(frame, section), origin), at, -1.5, -1.5, kPinColour);
+            marks.dot(at, -9, kPinColour);
+        }
+    }
+
     private take(event: PointerEvent): void {
         if (event.button !== 0 || event.shiftKey || !this.hair()) return;
         this.grip = this.tool === "pull" ? this.grasp(event) : this.touchesHead(event) ? { kind: "head", hold: this.hold } : null;
@@ -105,11 +119,13 @@ export class Hand {
     private pin(section: number, place: Vec3): void {
         this.pins.set(section, place);
         this.events.pin(section, place);
+        this.events.pinsChanged();
     }
 
     private release(section: number): void {
         this.pins.delete(section);
         this.events.release(section);
+        this.events.pinsChanged();
     }
 
     private pull(grip: Grip & { kind: "hair" }, dx: number, dy: number): void {
@@ -159,7 +175,7 @@ export class Hand {
     }
 }
 
-export const pointOf = ({ position, origin }: HairFrame, s: number): Vec3 => [
+const pointOf = ({ position, origin }: HairFrame, s: number): Vec3 => [
     position[3 * s] + origin[0],
     position[3 * s + 1] + origin[1],
     position[3 * s + 2] + origin[2],

@@ -4,7 +4,7 @@ import { add, subtract, type Vec3 } from "../draw/matrix";
 import type { HairFrame, StrandDesc } from "../hair/hair";
 import { button, choice, toggle, type Control } from "../ui/controls";
 import { element } from "../ui/dom";
-import { aim, headYaw, kViews, look as lookFrom } from "../ui/focus";
+import { headYaw, kViews, look as lookFrom } from "../ui/focus";
 import { HairPanel, kLayers } from "../ui/hair_panel";
 import { icon } from "../ui/icons";
 import { showMessage } from "../ui/message";
@@ -13,10 +13,11 @@ import { listenForShortcuts, type Shortcut } from "../ui/shortcuts";
 import { FrameBlend } from "./blend";
 import { acceptDrops, readDropped } from "./files";
 import { fieldsOf } from "./fields";
-import { Hand, kAtEase, pointOf, type Tool } from "./hand";
+import { Hand, kAtEase, type Tool } from "./hand";
 import { showKeys } from "./keys";
 import { SolverLink } from "./link";
 import { Meter } from "./meter";
+import { kMotionNames, motionOf, motionSettings } from "./motions";
 import { Parameters } from "./parameters";
 import type { Answer, SceneFile, SolverSource, WorldDescription } from "./protocol";
 
@@ -32,11 +33,7 @@ const kStillBudget = 120, // [ms] of one part of a still picture
     kMovingBudget = 25, // of a picture while things move
     kSettle = 250; // [ms] after the last move until the picture is a still one
 const kTeleport: Vec3 = [1, 0, -0.5]; // [m]
-const kPinColour = [1, 0.72, 0.3, 1];
 const kTools: [label: string, tool: Tool][] = [["Turn", "turn"], ["Move", "move"], ["Pull hair", "pull"]];
-/** Motions without a file, as settings of [motion]. */
-const kMotions: [label: string, still: boolean, shake: number][] = [["Built-in", false, 0], ["Shake", false, 40], ["Still", true, 0]];
-
 export class LivePage {
     private readonly view: HairView;
     private readonly link: SolverLink;
@@ -49,14 +46,20 @@ export class LivePage {
     private readonly hud = element("div", { class: "hud" });
     private readonly runButton = button(icon("pause"), "run or pause", () => this.setRunning(!this.running), "Space");
     private readonly tools: Control<Tool>;
+    private readonly styleChoice: Control<string>;
+    private readonly motionChoice: Control<string>;
     private readonly shortcuts: Shortcut[];
     private parameters: Parameters | null = null;
     private world: WorldDescription | null = null;
     private frames: FrameBlend | null = null;
     private currentLook: Look = kDefaultLook;
+    private threads = 1;
+    private opening = false; // a scene is on its way
     private running = true;
+    private away = false; // teleported
+    private drawn = false; // all of the picture
     private following = true;
-    private lookedAt = false; // the camera has found the head
+    private head: Vec3 | null = null; // [m] its middle in the frame that is shown
     private movedAt = -Infinity; // [ms] when something last moved
     private simulated = 0; // [s] at the newest frame
 
@@ -64,7 +67,7 @@ export class LivePage {
         app: HTMLElement,
         worker: string,
         source: SolverSource,
-        private readonly styles: Style[],
+        styles: Style[],
         private readonly first: Scene,
     ) {
         const canvas = element("canvas", { tabIndex: 0, "aria-label": "the hair" });
@@ -75,9 +78,14 @@ export class LivePage {
             hold: (hold) => this.link.send({ kind: "hold", hold }),
             pin: (section, position) => this.link.send({ kind: "pin", section, position }),
             release: (section) => this.link.send({ kind: "release", section }),
+            pinsChanged: () => this.showPins(),
         });
         orbitControls(canvas, this.view.camera, () => this.moved(), () => {});
         this.tools = choice("what a drag on the character does; beside it, it moves the camera", kTools, this.hand.tool, (tool) => (this.hand.tool = tool));
+        this.styleChoice = choice("a style of the paper", styles.map((style) => [style.label, style.name]), "", (name) =>
+            this.open({ ...styles.find((style) => style.name === name)!, files: [] }));
+        this.motionChoice = choice("what moves the character, beside your hand", kMotionNames.map((name) => [name, name]), "", (name) =>
+            this.link.send({ kind: "set", settings: motionSettings(name) }));
         this.shortcuts = this.makeShortcuts();
         listenForShortcuts(this.shortcuts);
         app.replaceChildren(this.header(), this.stage(canvas), this.side, this.footer());
@@ -102,12 +110,18 @@ export class LivePage {
         return this.link.ask("hash");
     }
 
+    /** Whether the picture shows the newest frame, with all its strands. */
+    get settled(): boolean {
+        return this.drawn && !this.view.busy;
+    }
+
     /** How many times faster than real time, as the meter shows it. */
     get speed(): number {
         return this.meter.times(1 / this.world!.frameRate);
     }
 
     open(scene: Scene): void {
+        this.opening = true;
         this.link.send({ kind: "open", ...scene });
     }
 
@@ -123,7 +137,6 @@ export class LivePage {
     }
 
     restart(): void {
-        this.hand.hold = kAtEase;
         this.link.send({ kind: "restart" });
     }
 
@@ -132,12 +145,10 @@ export class LivePage {
         this.away = !this.away;
         this.link.send({ kind: "teleport", by: this.away ? kTeleport : [-kTeleport[0], -kTeleport[1], -kTeleport[2]] });
     }
-    private away = false;
-
     releaseAll(): void {
         this.hand.releaseAll();
         this.link.send({ kind: "release", section: "all" });
-        this.view.touch();
+        this.showPins();
     }
 
     private started({ schema, stages, threads }: AnswerOf<"started">): void {
@@ -152,20 +163,20 @@ export class LivePage {
         this.link.send({ kind: "run", running: this.running });
         this.open(this.first);
     }
-    private threads = 1;
-
     private takeWorld({ world, values }: AnswerOf<"world">): void {
-        const opened = world.name !== this.world?.name;
+        const opened = this.opening;
+        this.opening = false;
         this.world = world;
         this.frames = new FrameBlend(world, (place) =>
             this.link.send({ kind: "give-back", world: world.number, place }, place.buffer ? [place.buffer] : []),
         );
         this.hand.releaseAll();
+        this.hand.hold = kAtEase;
         this.away = false;
-        if (opened) this.hand.hold = kAtEase;
         this.meter.clear();
         this.view.setHair(world.hair, world.bodies);
         this.parameters!.show(values, opened);
+        this.showChoices(values);
         this.showFacts();
         for (const warning of world.warnings) this.say(warning);
     }
@@ -173,6 +184,7 @@ export class LivePage {
     private takeValues({ values, frameRate, strandDesc }: AnswerOf<"values">): void {
         this.world!.frameRate = frameRate;
         this.parameters!.show(values, false);
+        this.showChoices(values);
         this.drawAs(strandDesc);
     }
 
@@ -196,6 +208,7 @@ export class LivePage {
 
     private failed({ message, request }: AnswerOf<"error">): void {
         if (request === "start") return showMessage("The solver cannot run here", message, false);
+        if (request === "open") this.opening = false;
         if (request === "open" || request === "clip") return showMessage("This file cannot be used", message, true);
         if (request === "set" || request === "rates") this.parameters!.refuse();
         if (request === "advance") this.setRunning(false);
@@ -212,15 +225,15 @@ export class LivePage {
         }
     }
 
-    private setMotion(still: boolean, shake: number): void {
-        this.link.send({
-            kind: "set",
-            settings: [
-                { key: "motion.clip", value: '""' },
-                { key: "motion.still", value: String(still) },
-                { key: "motion.shake", value: String(shake) },
-            ],
-        });
+    private showChoices(values: Record<string, string>): void {
+        this.motionChoice.set(motionOf(values));
+        this.styleChoice.set(this.world!.name);
+    }
+
+    /** Also of hair that stands still. */
+    private showPins(): void {
+        if (this.frames?.newest) this.hand.mark(this.frames.newest);
+        this.moved();
     }
 
     private heldHair() {
@@ -233,8 +246,7 @@ export class LivePage {
         chooser.addEventListener("change", () => void this.takeFiles([...(chooser.files ?? [])]));
         return element("header", {},
             element("h1", {}, "mane live"),
-            element("div", { class: "choice", role: "group", title: "a style of the paper" },
-                ...this.styles.map((style) => button(style.label, `open ${style.name}`, () => this.open({ ...style, files: [] })))),
+            this.styleChoice.root,
             button("Open …", "a scene (.toml) with what it names, or a clip (.bvh): or drop them on the page", () => chooser.click()),
             chooser,
             this.facts,
@@ -268,8 +280,7 @@ export class LivePage {
             button(icon("again"), "again from the first frame", () => this.restart(), "r"),
             button("Teleport", "elsewhere at once, and back: the hair comes along as it is", () => this.teleport(), "x"),
             element("span", { class: "label" }, "Motion"),
-            element("div", { class: "choice", id: "motion", role: "group", title: "what moves the character, beside your hand" },
-                ...kMotions.map(([label, still, shake]) => button(label, `motion: ${label.toLowerCase()}`, () => this.setMotion(still, shake)))),
+            this.motionChoice.root,
             element("span", { class: "space" }),
             this.clock,
         );
@@ -338,33 +349,20 @@ export class LivePage {
         if (frame) this.showFrame(frame);
         const moving = now - this.movedAt < kSettle;
         const progress = this.view.draw(moving ? kMovingBudget : kStillBudget, moving);
+        this.drawn = !moving && progress.done;
         this.hud.textContent =
             progress.of > 0 ? `${progress.strands.toLocaleString("en")} of ${progress.of.toLocaleString("en")} strands${progress.done || moving ? "" : " …"}` : "";
     }
 
     private showFrame(frame: HairFrame): void {
-        const head = this.view.headCentre();
         this.view.setFrame(frame);
-        this.drawPins(frame);
-        if (!this.lookedAt) {
-            this.lookedAt = true;
-            this.lookFrom(40);
-        } else if (this.following) {
-            const { camera } = this.view;
-            camera.target = add(camera.target, subtract(aim(this.view.headCentre()), aim(head)));
-        }
+        this.hand.mark(frame);
+        const before = this.head,
+            { camera } = this.view;
+        this.head = this.view.headCentre();
+        if (!before) this.lookFrom(40);
+        else if (this.following) camera.target = add(camera.target, subtract(this.head, before));
         this.clock.textContent = `frame ${frame.index} · ${frame.time.toFixed(2)} s`;
-    }
-
-    /** A pin is a dot where it holds, and a line from the point it holds. */
-    private drawPins(frame: HairFrame): void {
-        const { marks } = this.view;
-        marks.clear();
-        for (const [section, place] of this.hand.pins) {
-            const at = subtract(place, [...frame.origin] as Vec3);
-            marks.line(subtract(pointOf(frame, section), [...frame.origin] as Vec3), at, -1.5, -1.5, kPinColour);
-            marks.dot(at, -9, kPinColour);
-        }
     }
 
     private showFacts(): void {

@@ -11,10 +11,12 @@ const kStyles: Style[] = [
     { label: "Long", name: "long.toml", text: longScene },
 ];
 
-/** As many threads as the address asks for (`?threads=1`), else as many as the machine has, up to what hair of this size can use. */
+const kMostThreads = 4; // what hair of this size can use, and what the solver's pool is for (viewer/wasm/CMakeLists.txt)
+
+/** As many threads as the address asks for (`?threads=1`), else as many as the machine has. */
 function wantedThreads(): number {
     const asked = Number(new URLSearchParams(location.search).get("threads"));
-    return asked > 0 ? asked : Math.min(navigator.hardwareConcurrency || 1, 4);
+    return Math.min(asked > 0 ? asked : navigator.hardwareConcurrency || 1, kMostThreads);
 }
 
 try {

@@ -8,7 +8,7 @@ export type Change = (field: Field, value: string, open: boolean) => void;
 
 /** What a section is called, and whether it is open at first; others are named as in scene files. Those of `hidden` say nothing here. */
 const titles: Record<string, [title: string, open: boolean]> = {
-    simulation: ["Gravity, chance", true],
+    simulation: ["Gravity, seed", true],
     air: ["Air", true],
     skeleton: ["Skeleton", true],
     envelope: ["Envelope", false],

@@ -1,5 +1,5 @@
 /** The parameters of the scene: controls made from the table of fields, what was set and can be taken back, and the scene as text. */
-import { button } from "../ui/controls";
+import { button, choice } from "../ui/controls";
 import { element } from "../ui/dom";
 import type { Field } from "./fields";
 import { History } from "./history";
@@ -13,11 +13,8 @@ export interface ParameterEvents {
     rates(preset: string): void;
 }
 
-const kRates: [name: string, tip: string][] = [
-    ["paper", "1000 / 120 / 24 Hz: integration, contacts with the character, contacts between wisps"],
-    ["default", "1000 / 120 / 120 Hz"],
-    ["fine", "1000 / 1000 / 1000 Hz"],
-];
+/** Presets of C++ (`apply_rates`), and by which rates [Hz] they are known: of contacts with the character, of contacts between wisps. */
+const kRates: [name: string, character: number, wisps: number][] = [["paper", 120, 24], ["default", 120, 120], ["fine", 1000, 1000]];
 
 type Values = Record<string, string>;
 
@@ -27,9 +24,13 @@ export class Parameters {
     private readonly panel: Panel;
     private readonly undoButton = button("Undo", "take the last change back", () => this.undo(), "z");
     private readonly redoButton = button("Redo", "make it again", () => this.redo(), "y");
+    private readonly rates = choice("how often contacts are looked for, with the character and between wisps: 120 and 24 Hz, 120 and 120, 1000 and 1000",
+        kRates.map(([name]) => [name, name]), "", (name) => this.setRates(name));
     private values: Values = {};
     private opened: Values = {}; // as the scene was opened
     private before: Values | null = null; // a preset is on its way
+    private asked: Setting[] = []; // a request that is on its way
+    private waiting: Setting[] = []; // for its answer
 
     constructor(
         fields: Field[],
@@ -41,8 +42,7 @@ export class Parameters {
             element("div", { class: "row bar" }, this.undoButton, this.redoButton,
                 button("Reset", "all parameters as the scene was opened", () => this.reset()), copy),
             element("div", { class: "row rates" }, element("span", { class: "label" }, "Rates"),
-                element("div", { class: "choice", role: "group" },
-                    ...kRates.map(([name, tip]) => button(name, tip, () => this.setRates(name))))),
+                this.rates.root),
             this.panel.root,
         );
         this.showHistory();
@@ -58,7 +58,9 @@ export class Parameters {
         this.before = null;
         this.values = values;
         this.panel.show(values, this.opened);
+        this.rates.set(kRates.find(([, character, wisps]) => Number(values["schedule.character_rate"]) === character && Number(values["schedule.wisp_rate"]) === wisps)?.[0] ?? "");
         this.showHistory();
+        this.sendWaiting();
     }
 
     /** The solver has refused the last change. */
@@ -95,13 +97,28 @@ export class Parameters {
     }
 
     private change(key: string, value: string, open: boolean): void {
-        this.history.add([{ key, value: this.values[key] }], [{ key, value }], open);
+        this.history.add([{ key, value: this.latest(key) }], [{ key, value }], open);
         this.send([{ key, value }]);
     }
 
+    /** One request at a time: a slider says more than hair can follow that has to be laid anew. What comes meanwhile waits, the last of each field. */
     private send(settings: Setting[] | null): void {
-        if (settings) this.events.set(settings);
         this.showHistory();
+        if (!settings) return;
+        const keys = new Set(settings.map(({ key }) => key));
+        this.waiting = [...this.waiting.filter(({ key }) => !keys.has(key)), ...settings];
+        if (this.asked.length === 0) this.sendWaiting();
+    }
+
+    private sendWaiting(): void {
+        this.asked = this.waiting;
+        this.waiting = [];
+        if (this.asked.length > 0) this.events.set(this.asked);
+    }
+
+    /** A field's value when all is done that was asked for. */
+    private latest(key: string): string {
+        return [...this.waiting, ...this.asked].find((setting) => setting.key === key)?.value ?? this.values[key];
     }
 
     private showHistory(): void {

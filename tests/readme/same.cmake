@@ -1,0 +1,12 @@
+# The programs that a page shows are those that are built. Given: PAGE, FOLDER of the programs, FILES.
+file(READ ${PAGE} page)
+foreach(name ${FILES})
+    file(READ ${FOLDER}/${name} program)
+    cmake_path(GET name EXTENSION LAST_ONLY language)
+    string(SUBSTRING ${language} 1 -1 language)
+    string(FIND "${page}" "\n```${language}\n${program}```\n" found)
+    if(found EQUAL -1)
+        message(FATAL_ERROR "${PAGE} does not show ${FOLDER}/${name} as it is")
+    endif()
+endforeach()
+message("script test passed")
