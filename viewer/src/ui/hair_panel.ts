@@ -1,4 +1,4 @@
-import type { Look } from "../draw/hair_view";
+import type { Look } from "../draw/look";
 import type { Vec3 } from "../draw/matrix";
 import { element } from "./dom";
 import { section, slider, toggle, type Control } from "./controls";
