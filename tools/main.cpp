@@ -167,7 +167,8 @@ void add_live(CLI::App& app, Run& run) {
     static LiveOptions o;
     CLI::App* command = app.add_subcommand(
         "live", "A page that simulates in a browser: drag the head, change parameters");
-    command->add_option("SCENE", o.scene, "scene file (TOML) to begin with; the page has the paper's");
+    command->add_option("SCENE", o.scene,
+                        "scene file (TOML) to begin with; the page has the paper's");
     command
         ->add_option("-o,--output", o.output,
                      "page to write, opened without a network; or, ending in /, a folder for a web "

@@ -1,18 +1,19 @@
 // The pictures of README.md and docs/, taken of pages in a headless browser:
-//   node pictures.mjs RUN_FOLDER OUTPUT_FOLDER
+//   node pictures.mjs RUN_FOLDER OUTPUT_FOLDER [NAME…]
 // RUN_FOLDER holds short.html, medium.html and long.html, the last with recorded contacts, and live.html of `mane live`.
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launch, openPage } from "./test/browser.mjs";
 
-const [runs, output] = process.argv.slice(2);
+const [runs, output, ...only] = process.argv.slice(2);
 if (!output) {
-    console.error("usage: node pictures.mjs RUN_FOLDER OUTPUT_FOLDER");
+    console.error("usage: node pictures.mjs RUN_FOLDER OUTPUT_FOLDER [NAME…]");
     process.exit(2);
 }
 const kNone = { strands: false, skeleton: false, sections: false, envelope: false, character: true };
 const browser = await launch();
+const wanted = (name) => only.length === 0 || only.includes(name);
 
 const settled = (page) => page.waitForFunction(() => window.mane.settled, null, { timeout: 180_000 });
 
@@ -66,14 +67,14 @@ const layers = [
 ];
 const strip = [142, 148, 154, 160, 166, 178]; // a bow and a toss
 
-{
+if (wanted("layers.png")) {
     const { take, close } = await openStage("long", 300, 330);
     const pictures = [];
     for (const [label, look] of layers) pictures.push([label, await take({ frame: 118, look, near: 1.25 })]);
     await writeSheet("layers.png", pictures, 300, 330);
     await close();
 }
-{
+if (wanted("styles.png")) {
     const pictures = [];
     for (const style of ["short", "medium", "long"]) {
         const { take, close } = await openStage(style, 400, 400);
@@ -82,26 +83,28 @@ const strip = [142, 148, 154, 160, 166, 178]; // a bow and a toss
     }
     await writeSheet("styles.png", pictures, 400, 400);
 }
-{
+if (wanted("strip.png")) {
     const { take, close } = await openStage("long", 200, 240);
     const pictures = [];
     for (const frame of strip) pictures.push([`${(frame / 24).toFixed(1)} s`, await take({ frame, degrees: 25 })]);
     await writeSheet("strip.png", pictures, 200, 240);
     await close();
 }
-{
-    const { page, close } = await openPage(browser, pathToFileURL(resolve(runs, "long.html")).href, { width: 1200, height: 760 });
+if (wanted("view.png")) {
+    const { page, close } = await openPage(browser, pathToFileURL(resolve(runs, "long.html")).href, { width: 1280, height: 800 });
     await page.waitForFunction(() => window.mane);
-    await page.evaluate(() => window.mane.seek(150));
-    await page.waitForFunction(() => window.mane.shownFrame === 150);
-    await page.evaluate(() => window.mane.selectWisp(19));
+    await page.evaluate(() => window.mane.seek(154));
+    await page.waitForFunction(() => window.mane.shownFrame === 154);
+    await page.evaluate(() => window.mane.selectWisp(26));
+    await page.locator(".contacts summary").first().click();
+    await page.mouse.move(400, 300);
     await page.waitForTimeout(400);
     await settled(page);
     writeFileSync(join(output, "view.png"), await page.screenshot());
     console.log("view.png");
     await close();
 }
-{
+if (wanted("live.png")) {
     const { page, close } = await openPage(browser, pathToFileURL(resolve(runs, "live.html")).href, { width: 1200, height: 760 });
     await page.waitForFunction(() => window.mane?.frames?.newest, null, { timeout: 60_000 });
     await page.evaluate(async () => {

@@ -49,7 +49,7 @@ export async function tests({ mane, browser, folder, project, renew }) {
         }
     }
     const settled = (page) => page.waitForFunction(() => window.mane.settled, null, { timeout: 40_000 });
-    const few = (page) => page.evaluate(() => window.mane.panel.set({ strands: 1500 }));
+    const few = (page) => page.evaluate(() => window.mane.panel.set({ strands: 1500, width: 12 })); // software WebGL is slow
     const frame = (page) => page.evaluate(() => window.mane.player.frame);
     /** Changes a slider by its label, as a hand does. */
     const slide = (page, label, place) =>
@@ -60,12 +60,15 @@ export async function tests({ mane, browser, folder, project, renew }) {
     const stage = (page) => page.locator("#stage canvas").screenshot();
     const key = (page, name) => page.keyboard.press(name);
 
+    const lastStage = new WeakMap(); // of a page, as long as nothing else has changed it
     async function different(page, what, change) {
         await settled(page);
-        const before = await stage(page);
+        const before = lastStage.get(page) ?? (await stage(page));
         await change();
         await settled(page);
-        const { worst } = await perceptualDifference(page, before, await stage(page));
+        const after = await stage(page);
+        lastStage.set(page, after);
+        const { worst } = await perceptualDifference(page, before, after);
         assert(worst > 4, `${what} changes nothing that can be seen: ΔE ${worst.toFixed(1)} in the worst place`);
     }
 
@@ -133,23 +136,31 @@ export async function tests({ mane, browser, folder, project, renew }) {
         }],
         ["view: plays, pauses, steps and loops", () => within(recorded(), async (page) => {
             await few(page);
-            await different(page, "playing", async () => {
-                await key(page, " ");
-                await page.waitForFunction(() => window.mane.player.frame > 5);
-                await page.locator(".play").click();
+            await different(page, "another frame", () => page.getByLabel("frame", { exact: true }).fill("20"));
+            assert.equal(await frame(page), 20);
+            await page.evaluate(() => {
+                window.shown = new Set();
+                const { view } = window.mane,
+                    setFrame = view.setFrame;
+                view.setFrame = (f) => {
+                    window.shown.add(f.index);
+                    setFrame.call(view, f);
+                };
             });
+            await key(page, " ");
+            await page.waitForFunction(() => window.shown.size > 5);
+            await page.locator(".play").click();
             const paused = await frame(page);
             await page.waitForTimeout(300);
             assert.equal(await frame(page), paused);
             await key(page, "ArrowRight");
-            assert.equal(await frame(page), paused + 1);
+            assert.equal(await frame(page), Math.min(paused + 1, kFrames - 1));
+            await key(page, "Home");
+            await key(page, "ArrowRight");
+            assert.equal(await frame(page), 1);
             await key(page, "ArrowLeft");
-            assert.equal(await frame(page), paused);
             await key(page, "Home");
             assert.equal(await frame(page), 0);
-            await page.getByLabel("frame", { exact: true }).fill("12");
-            assert.equal(await frame(page), 12);
-
             await page.locator("#loop").click(); // off
             await key(page, "End");
             await key(page, "ArrowLeft");
@@ -195,6 +206,7 @@ export async function tests({ mane, browser, folder, project, renew }) {
             await different(page, "the layer character", press("Character"));
             for (const layer of ["Skeleton", "Cross-sections", "Envelope"]) await different(page, `the layer ${layer}`, press(layer));
             for (const digit of ["1", "2", "3", "4"]) await key(page, digit);
+            lastStage.delete(page);
             await different(page, "blond", press("blond"));
             await different(page, "colour by wisp", press("By wisp"));
             await different(page, "the width", () => slide(page, "Width", 0.02));
@@ -227,12 +239,13 @@ export async function tests({ mane, browser, folder, project, renew }) {
             assert.deepEqual([back.yaw, back.distance], [first.yaw, first.distance]);
             // The camera follows the head, or it does not.
             const moved = async () => {
+                const shows = (index) => page.waitForFunction((i) => window.mane.shownFrame === i, index);
                 const before = (await camera()).target;
                 await key(page, "End");
-                await settled(page);
+                await shows(kFrames - 1);
                 const after = (await camera()).target;
                 await key(page, "Home");
-                await settled(page);
+                await shows(0);
                 return Math.hypot(...before.map((c, i) => c - after[i]));
             };
             const following = await moved();

@@ -12,7 +12,7 @@ import { shadowPerLength, StrandLayer } from "./strand_layer";
 import { BodyLayer, bodyProgram, EnvelopeLayer } from "./surface_layers";
 
 const kClay: Vec3 = [0.52, 0.37, 0.3],
-    kObstacle: Vec3 = [0.42, 0.45, 0.48];
+    kObstacle: Vec3 = [0.24, 0.26, 0.28];
 const kMostHalfLines = 16; // as envelope.glsl
 
 /** Where the picture is taken from: uniforms of all shaders that place something. */

@@ -19,11 +19,11 @@ export interface Progress {
 }
 
 const kVertices = 32, // of a strand
-    kFewVertices = 14, // where the machine is slow and everything moves
+    kFewVertices = 12, // where the machine is slow and everything moves
     kFirstStrands = 10_000, // a first picture shows at least so many
     kFewest = 400, // strands of a part
     kPassCost = 600, // strands that take as long as all else of a pass
-    kFewestMoving = 3000, // of a picture while everything moves, however slow the machine
+    kFewestMoving = 2000, // of a picture while everything moves, however slow the machine
     kMostPasses = 24,
     kSmoothPasses = 8, // at least, or edges would show steps
     kThinRounds = 3, // where there are few strands
