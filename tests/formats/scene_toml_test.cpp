@@ -142,6 +142,7 @@ TEST_CASE("the schema describes every field") {
                                 .at(std::string(f.name));
         CHECK(field.at("description").get<std::string>().find(f.help) != std::string::npos);
         CHECK(field.contains("default"));
+        CHECK(field.value("x-live", false) == has(f.use, FieldUse::live));
     }
     CHECK(schema["properties"]["skeleton"]["properties"]["strain"]["default"] == 0.005);
     CHECK(schema["properties"]["skeleton"]["additionalProperties"] == false);
