@@ -116,7 +116,7 @@ if (wanted("live.png")) {
         set("air.wind", "[2.5, 0, 1.5]");
         set("motion.shake", "40");
         mane.step(70);
-        await mane.stateHash();
+        await mane.ask("hash");
         // A lock of hair is held up.
         const tip = mane.world.hair.firstSection[20] - 1;
         const { position, origin } = mane.frames.newest;
@@ -124,7 +124,7 @@ if (wanted("live.png")) {
         mane.hand.pins.set(tip, place);
         mane.link.send({ kind: "pin", section: tip, position: place });
         mane.step(20);
-        await mane.stateHash();
+        await mane.ask("hash");
     });
     await page.waitForTimeout(400);
     await settled(page);

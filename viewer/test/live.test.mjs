@@ -61,8 +61,8 @@ export async function tests({ mane, browser, folder, project }) {
         }
     }
 
-    const hash = (page) => page.evaluate(() => window.mane.stateHash());
-    const scene = (page) => page.evaluate(() => window.mane.link.ask("scene"));
+    const hash = (page) => page.evaluate(() => window.mane.ask("hash"));
+    const scene = (page) => page.evaluate(() => window.mane.ask("scene"));
     const advance = async (page, frames) => {
         await page.evaluate((n) => window.mane.step(n), frames);
         await hash(page); // behind it

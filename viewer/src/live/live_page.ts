@@ -85,7 +85,7 @@ export class LivePage {
         this.styleChoice = choice("a style of the paper", styles.map((style) => [style.label, style.name]), "", (name) =>
             this.open({ ...styles.find((style) => style.name === name)!, files: [] }));
         this.motionChoice = choice("what moves the character, beside your hand", kMotionNames.map((name) => [name, name]), "", (name) =>
-            this.link.send({ kind: "set", settings: motionSettings(name) }));
+            this.parameters?.set(motionSettings(name)));
         this.shortcuts = this.makeShortcuts();
         listenForShortcuts(this.shortcuts);
         app.replaceChildren(this.header(), this.stage(canvas), this.side, this.footer());
@@ -105,9 +105,10 @@ export class LivePage {
         requestAnimationFrame(() => this.tick());
     }
 
-    /** For tests: the state's hash, behind all that was asked for before. */
-    stateHash(): Promise<string> {
-        return this.link.ask("hash");
+    /** The state's hash, or the scene as TOML, behind all that was asked for before. */
+    async ask(what: "hash" | "scene"): Promise<string> {
+        await this.parameters?.idle();
+        return this.link.ask(what);
     }
 
     /** Whether the picture shows the newest frame, with all its strands. */

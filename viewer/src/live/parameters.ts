@@ -31,12 +31,13 @@ export class Parameters {
     private before: Values | null = null; // a preset is on its way
     private asked: Setting[] = []; // a request that is on its way
     private waiting: Setting[] = []; // for its answer
+    private onIdle: (() => void)[] = [];
 
     constructor(
         fields: Field[],
         private readonly events: ParameterEvents,
     ) {
-        this.panel = new Panel(fields, (field, value, open) => this.change(field.key, value, open));
+        this.panel = new Panel(fields, ({ key }, value, open) => this.set([{ key, value }], open));
         const copy = button("Copy TOML", "the whole scene, as `mane simulate` takes it", () => void this.copy(copy));
         this.root.append(
             element("div", { class: "row bar" }, this.undoButton, this.redoButton,
@@ -96,9 +97,10 @@ export class Parameters {
         this.events.rates(preset);
     }
 
-    private change(key: string, value: string, open: boolean): void {
-        this.history.add([{ key, value: this.latest(key) }], [{ key, value }], open);
-        this.send([{ key, value }]);
+    /** One step, of one field or of several. `open`: more of the same follows. */
+    set(settings: Setting[], open = false): void {
+        this.history.add(settings.map(({ key }) => ({ key, value: this.latest(key) })), settings, open);
+        this.send(settings);
     }
 
     /** One request at a time: a slider says more than hair can follow that has to be laid anew. What comes meanwhile waits, the last of each field. */
@@ -114,6 +116,15 @@ export class Parameters {
         this.asked = this.waiting;
         this.waiting = [];
         if (this.asked.length > 0) this.events.set(this.asked);
+        else for (const done of this.onIdle.splice(0)) done();
+    }
+
+    /** When all that was asked for is done, or refused. */
+    idle(): Promise<void> {
+        return new Promise((done) => {
+            this.onIdle.push(done);
+            if (this.asked.length === 0) this.sendWaiting();
+        });
     }
 
     /** A field's value when all is done that was asked for. */
@@ -127,6 +138,7 @@ export class Parameters {
     }
 
     private async copy(by: HTMLButtonElement): Promise<void> {
+        await this.idle();
         await copyText(await this.events.scene());
         by.textContent = "Copied";
         setTimeout(() => (by.textContent = "Copy TOML"), 1500);
