@@ -111,9 +111,10 @@ if (wanted("live.png")) {
         const { mane } = window;
         const set = (key, value) => mane.link.send({ kind: "set", settings: [{ key, value }] });
         mane.setRunning(false);
+        mane.link.send({ kind: "rates", preset: "paper" });
         mane.restart();
         set("air.wind", "[2.5, 0, 1.5]");
-        set("motion.shake", "45");
+        set("motion.shake", "40");
         mane.step(70);
         await mane.stateHash();
         // A lock of hair is held up.

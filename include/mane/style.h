@@ -72,6 +72,10 @@ struct HairDesc {
 std::vector<WispDesign> lay_style(const HairDesc& hair, const Body& wearer,
                                   std::span<const std::uint32_t> scalp, std::uint32_t seed = 1);
 
+/// Gives laid wisps the springs of `hair`, as if they were laid for it: its style, its number of
+/// strands and of envelope points are those that they were laid with. A tenth of the work.
+void give_springs(std::span<WispDesign> wisps, const HairDesc& hair);
+
 /// A straight wisp, for tests and examples.
 struct StraightWisp {
     std::uint32_t triangle = 0;   ///< of the wearer's mesh; the root is in its middle

@@ -5,6 +5,8 @@
 #include "mane/import.h"
 #include "mane/scene.h"
 
+#include <algorithm>
+
 namespace mane {
 namespace {
 
@@ -73,10 +75,8 @@ std::vector<std::uint32_t> find_scalp(const CharacterDesc& desc, const Body& wea
     return scalp;
 }
 
-/// The designs of the style, with the wisps' own settings.
-std::vector<WispDesign> lay_hair(const SceneDesc& scene, const Body& wearer) {
-    std::vector<WispDesign> designs =
-        lay_style(scene.hair, wearer, find_scalp(scene.character, wearer), scene.simulation.seed);
+/// The settings of some wisps.
+void apply_overrides(const SceneDesc& scene, std::span<WispDesign> designs) {
     for (const WispOverride& o : scene.overrides)
         for (const std::uint32_t wisp : o.wisps) {
             if (wisp >= designs.size())
@@ -86,8 +86,42 @@ std::vector<WispDesign> lay_hair(const SceneDesc& scene, const Body& wearer) {
             designs[wisp].skeleton = own.skeleton;
             designs[wisp].envelope = own.envelope;
         }
-    return designs;
 }
+
+/// Grows the hair of scene after scene on one wearer. What is laid is kept: most of them differ in
+/// springs alone.
+class Grower {
+  public:
+    Grower(const Body& wearer, const Vec3& gravity) : wearer_(wearer), gravity_(gravity) {}
+
+    Groom operator()(const SceneDesc& scene) {
+        if (laid_.empty() || !laid_alike(scene)) {
+            laid_ = lay_style(scene.hair, wearer_, find_scalp(scene.character, wearer_),
+                              scene.simulation.seed);
+            laid_for_ = scene;
+        }
+        std::vector<WispDesign> designs = laid_;
+        give_springs(designs, scene.hair);
+        apply_overrides(scene, designs);
+        return make_groom(designs, wearer_.mesh, gravity_);
+    }
+
+  private:
+    bool laid_alike(const SceneDesc& scene) const {
+        const auto fields = fields_of<SceneDesc>();
+        return std::all_of(fields.begin(), fields.end(), [&](const Field& f) {
+            const bool lays = f.section == "style" || f.section == "character" ||
+                              f.key() == "strands.count" || f.key() == "envelope.points" ||
+                              f.key() == "simulation.seed";
+            return !lays || f.get(scene) == f.get(laid_for_);
+        });
+    }
+
+    Body wearer_;
+    Vec3 gravity_;
+    std::vector<WispDesign> laid_;
+    SceneDesc laid_for_;
+};
 
 Body make_obstacle(const ObstacleDesc& desc, const Body& wearer,
                    std::vector<std::string>& warnings) {
@@ -125,7 +159,7 @@ std::shared_ptr<const Motion> make_motion(const MotionDesc& desc) {
 }
 
 Groom grow_hair(const SceneDesc& scene, const Body& wearer, const Vec3& gravity) {
-    return make_groom(lay_hair(scene, wearer), wearer.mesh, gravity);
+    return Grower(wearer, gravity)(scene);
 }
 
 RunSetup prepare(const SceneDesc& scene) {
@@ -147,12 +181,8 @@ RunSetup prepare(const SceneDesc& scene, std::shared_ptr<const Motion> motion) {
 
 LiveScene make_live(const SceneDesc& scene, const RunSetup& setup, double start_time,
                     const RunOptions& options) {
-    return LiveScene(
-        scene, setup.groom, setup.bodies,
-        [wearer = setup.bodies[0], gravity = scene.simulation.gravity](const SceneDesc& now) {
-            return grow_hair(now, wearer, gravity);
-        },
-        start_time, options);
+    return LiveScene(scene, setup.groom, setup.bodies,
+                     Grower(setup.bodies[0], scene.simulation.gravity), start_time, options);
 }
 
 } // namespace mane

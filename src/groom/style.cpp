@@ -143,11 +143,18 @@ std::vector<WispDesign> lay_style(const HairDesc& hair, const Body& wearer,
                                        grower.grow(roots[w], lengths[w], turn), segments[w], body);
         wisp.strands = static_cast<std::uint32_t>((w + 1) * hair.strands.count / roots.size() -
                                                   w * hair.strands.count / roots.size());
-        wisp.skeleton = hair.skeleton;
-        hold(wisp);
         wisps.push_back(std::move(wisp));
     }
+    give_springs(wisps, hair);
     return wisps;
+}
+
+void give_springs(std::span<WispDesign> wisps, const HairDesc& hair) {
+    for (WispDesign& wisp : wisps) {
+        wisp.skeleton = hair.skeleton;
+        wisp.envelope = hair.envelope;
+        hold(wisp);
+    }
 }
 
 } // namespace mane

@@ -103,29 +103,28 @@ bool same_strands(const LiveScene& a, const LiveScene& b) {
 
 TEST_CASE("every live field changes a running world, and there and back at once changes no bit") {
     LiveScene plain = make_live(scene(), setup());
-    const std::uint64_t hash_of_plain = hash_after(plain, 3);
+    const std::uint64_t hashes_of_plain[] = {hash_after(plain, 1), hash_after(plain, 1),
+                                             hash_after(plain, 1)};
     int tried = 0;
     for (const Field& f : fields_of<SceneDesc>()) {
         if (!has(f.use, FieldUse::live))
             continue;
         CAPTURE(f.key());
         const SceneDesc other = with_other(scene(), f);
-        LiveScene live = make_live(scene(), setup()), back = make_live(scene(), setup());
+        LiveScene live = make_live(scene(), setup());
         advance(live, 1);
-        advance(back, 1);
-
         REQUIRE_NOTHROW(live.change(other));
         CHECK(f.get(live.scene()) == f.get(other));
-        REQUIRE_NOTHROW(back.change(other));
-        REQUIRE_NOTHROW(back.change(scene()));
-        CHECK(hash_after(back, 2) == hash_of_plain);
+        REQUIRE_NOTHROW(live.change(scene()));
+        CHECK(hash_after(live, 1) == hashes_of_plain[1]);
 
-        advance(live, 2);
+        REQUIRE_NOTHROW(live.change(other));
+        advance(live, 1);
         if (drawn_only(f)) {
-            CHECK(live.world().state_hash() == hash_of_plain);
+            CHECK(live.world().state_hash() == hashes_of_plain[2]);
             CHECK(!same_strands(live, plain));
         } else {
-            CHECK(live.world().state_hash() != hash_of_plain);
+            CHECK(live.world().state_hash() != hashes_of_plain[2]);
         }
         ++tried;
     }
@@ -148,7 +147,7 @@ TEST_CASE("a live field changed before the first step gives the world that was m
         LiveScene made = make_live(other, other_setup), changed = make_live(scene(), setup());
         changed.change(other);
         CHECK(made.world().state_hash() == changed.world().state_hash());
-        CHECK(hash_after(made, 2) == hash_after(changed, 2));
+        CHECK(hash_after(made, 1) == hash_after(changed, 1));
     }
 }
 
