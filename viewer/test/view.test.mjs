@@ -404,19 +404,25 @@ export async function tests({ mane, browser, folder, project, renew }) {
                 }, { stage: [256, 256] });
             return notes.join("; ");
         }],
-        ["view: 100,000 strands in software WebGL", async () => {
+        // How long it takes is told, not judged: machines differ, and share their processors (docs/view.md has the figures of one).
+        ["view: 10,000 strands at once, then more until all 100,000 are there", async () => {
             const file = recorded();
             const start = performance.now();
-            const seconds = () => (performance.now() - start) / 1000;
+            const seconds = () => ((performance.now() - start) / 1000).toFixed(1);
             return within(file, async (page) => {
-                await page.waitForFunction(() => window.mane.shownStrands >= 10_000, null, { timeout: 60_000 });
+                await page.waitForFunction(() => window.mane?.shownStrands > 0, null, { timeout: 60_000 });
                 const first = seconds();
-                await page.waitForFunction(() => window.mane.shownStrands === 100_000, null, { timeout: 60_000 });
-                const all = seconds();
-                // The bounds are for two cores that have nothing else to do.
-                const busy = Math.max(1, loadavg()[0] / cpus().length);
-                assert(first < 3 * busy && all < 15 * busy, `10,000 after ${first} s, all after ${all} s`);
-                return `10,000 after ${first.toFixed(1)} s, all after ${all.toFixed(1)} s; load ${loadavg()[0].toFixed(1)} on ${cpus().length} cores`;
+                const counts = await page.evaluate(async () => {
+                    const seen = [window.mane.shownStrands];
+                    while (seen.at(-1) < 100_000) {
+                        await new Promise(requestAnimationFrame);
+                        if (window.mane.shownStrands !== seen.at(-1)) seen.push(window.mane.shownStrands);
+                    }
+                    return seen;
+                });
+                assert(counts[0] >= 10_000, `the first picture has ${counts[0]} strands`);
+                assert(counts.length > 3 && counts.every((count, i) => i === 0 || count > counts[i - 1]), `pictures of ${counts} strands`);
+                return `${counts[0]} after ${first} s, all after ${seconds()} s; load ${loadavg()[0].toFixed(1)} on ${cpus().length} cores`;
             }, { width: 1280, height: 800, stage: null });
         }],
     ];

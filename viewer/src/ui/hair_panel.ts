@@ -30,6 +30,9 @@ const fromHex = (text: string): Vec3 => [1, 3, 5].map((i) => (parseInt(text.slic
 export class HairPanel {
     readonly root: HTMLElement;
     private readonly layers: Record<Layer, Control<boolean>>;
+    private readonly strands: Control<number>;
+    private readonly width: Control<number>;
+    private readonly byWisp: Control<boolean>;
     private readonly swatches: HTMLButtonElement[];
     private readonly picker: HTMLInputElement;
 
@@ -40,7 +43,7 @@ export class HairPanel {
         this.layers = Object.fromEntries(
             kLayers.map(([layer, label, tip, key]) => [
                 layer,
-                toggle(label, tip, look.layers[layer], (on) => this.setLayer(layer, on), key),
+                toggle(label, tip, look.layers[layer], (on) => this.apply({ layers: { ...this.look.layers, [layer]: on } }), key),
             ]),
         ) as Record<Layer, Control<boolean>>;
         this.swatches = kColours.map(([name, colour]) => {
@@ -50,41 +53,47 @@ export class HairPanel {
         });
         this.picker = element("input", { type: "color", title: "any other colour", "aria-label": "hair colour" });
         this.picker.addEventListener("input", () => this.setColour(fromHex(this.picker.value)));
-        const byWisp = toggle("By wisp", "each wisp in a colour of its own", look.colourByWisp, (on) => this.set({ colourByWisp: on }));
+        this.byWisp = toggle("By wisp", "each wisp in a colour of its own", look.colourByWisp, (on) => this.apply({ colourByWisp: on }));
+        this.strands = slider({
+            label: "Strands", tip: "strands on the whole head", from: 1000, to: 200_000, logarithmic: true, value: look.strands,
+            format: (v) => rounded(v).toLocaleString("en"), change: (v) => this.apply({ strands: rounded(v) }),
+        });
+        this.width = slider({
+            label: "Width", tip: "of a strand, relative to what the scene says", from: 0.25, to: 4, logarithmic: true, value: look.width,
+            format: (v) => `× ${v.toFixed(2)}`, change: (v) => this.apply({ width: v }),
+        });
         this.root = element("div", {},
             section("Layers", element("div", { class: "row" }, ...kLayers.map(([layer]) => this.layers[layer].root))),
             section("Hair",
-                slider({
-                    label: "Strands", tip: "strands on the whole head", from: 1000, to: 200_000, logarithmic: true, value: look.strands,
-                    format: (v) => rounded(v).toLocaleString("en"), change: (v) => this.set({ strands: rounded(v) }),
-                }).root,
-                slider({
-                    label: "Width", tip: "of a strand, relative to what the scene says", from: 0.25, to: 4, logarithmic: true, value: look.width,
-                    format: (v) => `× ${v.toFixed(2)}`, change: (v) => this.set({ width: v }),
-                }).root,
-                element("div", { class: "row" }, ...this.swatches, this.picker, byWisp.root),
+                this.strands.root,
+                this.width.root,
+                element("div", { class: "row" }, ...this.swatches, this.picker, this.byWisp.root),
             ),
         );
         this.showColour();
     }
 
     toggleLayer(layer: Layer): void {
-        this.setLayer(layer, !this.look.layers[layer]);
-        this.layers[layer].set(this.look.layers[layer]);
+        this.set({ layers: { ...this.look.layers, [layer]: !this.look.layers[layer] } });
     }
 
-    /** A change that came from elsewhere, as the selected wisp does. */
+    /** A change that comes from elsewhere: the controls show it. */
     set(change: Partial<Look>): void {
+        this.apply(change);
+        for (const [layer] of kLayers) this.layers[layer].set(this.look.layers[layer]);
+        this.strands.set(this.look.strands);
+        this.width.set(this.look.width);
+        this.byWisp.set(this.look.colourByWisp);
+        this.showColour();
+    }
+
+    private apply(change: Partial<Look>): void {
         this.look = { ...this.look, ...change };
         this.changed(this.look);
     }
 
-    private setLayer(layer: Layer, on: boolean): void {
-        this.set({ layers: { ...this.look.layers, [layer]: on } });
-    }
-
     private setColour(colour: Vec3): void {
-        this.set({ colour });
+        this.apply({ colour });
         this.showColour();
     }
 
