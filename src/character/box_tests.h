@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace mane {
 
@@ -18,9 +19,11 @@ inline constexpr float kBoxRounding = 1e-6f;
 /// Distances from a point.
 struct BoxDistances {
     explicit BoxDistances(const Vec3d& p);
-    /// A squared distance in single precision that is not less than `squared`.
+    /// A squared distance in single precision that is not less than `squared`, or the largest: that
+    /// far is nothing but the places of a node that hold no box.
     static float at_least(double squared) {
-        return static_cast<float>(squared) * (1 + kBoxRounding);
+        return std::min(static_cast<float>(squared) * (1 + kBoxRounding),
+                        std::numeric_limits<float>::max());
     }
 
     std::array<float, 3> above, below; ///< the point, widened by the slack

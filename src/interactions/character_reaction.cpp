@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace mane {
 namespace {
@@ -72,11 +73,8 @@ class Reactor {
     /// Reactions are few, so one more question for each costs nothing.
     void remember(std::uint32_t i, std::uint32_t point, std::uint32_t b, const Vec3& position,
                   const Vec3& shift) {
-        constexpr double kNear = 0.02; // [m] where it is not, the whole body is searched
-        const PosedSurface& surface = bodies_[b].surface->end();
-        std::optional<SurfacePlace> place = surface.nearest(Vec3d(position), kNear);
-        if (!place)
-            place = surface.nearest(Vec3d(position), std::numeric_limits<double>::infinity());
+        const std::optional<SurfacePlace> place = bodies_[b].surface->end().nearest(
+            Vec3d(position), std::numeric_limits<double>::infinity());
         reactions_.push_back({.section = i,
                               .point = static_cast<std::uint8_t>(point),
                               .body = b,

@@ -5,6 +5,7 @@
 #include "character/surface.h"
 
 #include <doctest/doctest.h>
+#include <limits>
 
 #include <cmath>
 
@@ -101,6 +102,9 @@ void check_queries(const Case& c, std::size_t count) {
             CHECK(again->closest.squared == nearest->closest.squared);
         }
         CHECK_FALSE(posed.nearest(p, distance * 0.999));
+        const auto anywhere = posed.nearest(p, std::numeric_limits<double>::infinity());
+        REQUIRE(anywhere);
+        CHECK(anywhere->triangle == nearest->triangle);
 
         const double radius = distance + 0.02;
         posed.within(p, radius, places);
