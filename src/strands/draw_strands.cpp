@@ -42,12 +42,20 @@ struct Along {
     }
 };
 
+/// How strands have their places in the disc: still, in one sector; or moving along the wisp, among
+/// half lines at any angle or at right angles.
+enum class Place { still, moving, moving_square };
+
 /// How much half line k has in the point of the envelope that a disc point stands for: 0 outside
 /// the two sectors beside it.
 HWY_INLINE Pack share(const DrawnEnvelope::HalfLineForms& k, Pack x, Pack y) {
     const auto form = [&](DiscPoint f) { return Pack(f.x) * x + Pack(f.y) * y; };
     const Pack side = Pack(k.direction.x) * y - Pack(k.direction.y) * x;
     return larger(select(side < Pack(0.f), form(k.before), form(k.behind)), Pack(0.f));
+}
+/// The same among half lines at right angles: both forms are the part along the half line.
+HWY_INLINE Pack share_at_right_angles(const DrawnEnvelope::HalfLineForms& k, Pack x, Pack y) {
+    return larger(Pack(k.direction.x) * x + Pack(k.direction.y) * y, Pack(0.f));
 }
 
 /// The vertices of the grid, a pack at a time: each visited once or more, `body(v)` for those from
@@ -111,10 +119,10 @@ class StrandAtGrid {
                 (n - wisp.first_strand) * (pieces_ + 3)),
           n_(n) {}
 
-    template <bool kMoving> HWY_INLINE Pack3 at(std::size_t v) const {
+    template <Place kPlace> HWY_INLINE Pack3 at(std::size_t v) const {
         const Pack left =
             recipes_.jittered ? Along::grid(wisp_.grid, v, pieces_).on(left_) : Pack(1.f);
-        return curve(0, v) + (kMoving ? moved(v, left) : still(v) * left);
+        return curve(0, v) + (kPlace == Place::still ? still(v) * left : moved<kPlace>(v, left));
     }
 
   private:
@@ -135,7 +143,7 @@ class StrandAtGrid {
         return curve(1 + k, v) * Pack(recipes_.first[n_]) +
                curve(1 + next, v) * Pack(recipes_.second[n_]);
     }
-    HWY_INLINE Pack3 moved(std::size_t v, Pack left) const {
+    template <Place kPlace> HWY_INLINE Pack3 moved(std::size_t v, Pack left) const {
         Pack x = Pack(recipes_.first[n_]) * left, y = Pack(recipes_.second[n_]) * left;
         if (wisp_.curl_cosine) {
             const Pack c = Pack::load_any(wisp_.curl_cosine + v),
@@ -150,10 +158,15 @@ class StrandAtGrid {
             x = x + wave * Pack(wisp_.wave_direction.x);
             y = y + wave * Pack(wisp_.wave_direction.y);
         }
-        Pack3 sum = broadcast({});
         const auto& forms = wisp_.envelope.forms();
-        for (std::size_t k = 0; k < forms.size(); ++k)
-            sum = sum + curve(1 + k, v) * share(forms[k], x, y);
+        const auto part = [&](std::size_t k) {
+            return curve(1 + k, v) * (kPlace == Place::moving_square
+                                          ? share_at_right_angles(forms[k], x, y)
+                                          : share(forms[k], x, y));
+        };
+        Pack3 sum = part(0);
+        for (std::size_t k = 1; k < forms.size(); ++k)
+            sum = sum + part(k);
         return sum;
     }
 
@@ -166,14 +179,14 @@ class StrandAtGrid {
 };
 
 /// The first `count` vertices of strand n, those of the grid.
-template <bool kMoving> HWY_INLINE void draw_grid(const WispToDraw& wisp, const GridRows& rows,
+template <Place kPlace> HWY_INLINE void draw_grid(const WispToDraw& wisp, const GridRows& rows,
                                                   std::size_t n, std::size_t count, Vec3* positions,
                                                   float* widths) {
     const StrandAtGrid strand(wisp, rows, n);
     const Pack root(wisp.root_width),
         thinner((wisp.tip_width - wisp.root_width) / wisp.recipes.end[n]);
     for_packs(count, [&](std::size_t v) {
-        const Pack3 p = strand.at<kMoving>(v);
+        const Pack3 p = strand.at<kPlace>(v);
         const Pack width = root + thinner * Pack::load_any(wisp.grid.parameter() + v);
         if (v + kPackLanes <= count) {
             store_interleaved(p, &positions[v].x);
@@ -189,7 +202,7 @@ template <bool kMoving> HWY_INLINE void draw_grid(const WispToDraw& wisp, const 
     });
 }
 
-template <bool kMoving> HWY_INLINE void draw_all(const WispToDraw& wisp, const GridRows& rows,
+template <Place kPlace> HWY_INLINE void draw_all(const WispToDraw& wisp, const GridRows& rows,
                                                  std::size_t first, std::size_t count,
                                                  Vec3* positions, float* widths) {
     const StrandRecipes& r = wisp.recipes;
@@ -200,7 +213,7 @@ template <bool kMoving> HWY_INLINE void draw_all(const WispToDraw& wisp, const G
         if (lane == 0)
             store_interleaved(ends(wisp, first, n - first), &end[0].x);
         const std::size_t begin = r.vertex[n] - vertex, last = r.vertex[n + 1] - vertex - 1;
-        draw_grid<kMoving>(wisp, rows, n, last - begin, positions + begin, widths + begin);
+        draw_grid<kPlace>(wisp, rows, n, last - begin, positions + begin, widths + begin);
         positions[last] = end[lane];
         widths[last] = wisp.tip_width;
     }
@@ -208,10 +221,12 @@ template <bool kMoving> HWY_INLINE void draw_all(const WispToDraw& wisp, const G
 
 void draw(const WispToDraw& wisp, const GridRows& rows, std::size_t first, std::size_t count,
           Vec3* positions, float* widths) {
-    if (wisp.recipes.moving)
-        draw_all<true>(wisp, rows, first, count, positions, widths);
+    if (!wisp.recipes.moving)
+        draw_all<Place::still>(wisp, rows, first, count, positions, widths);
+    else if (wisp.envelope.half_lines() == 4)
+        draw_all<Place::moving_square>(wisp, rows, first, count, positions, widths);
     else
-        draw_all<false>(wisp, rows, first, count, positions, widths);
+        draw_all<Place::moving>(wisp, rows, first, count, positions, widths);
 }
 
 StrandKernels kernels() {
