@@ -69,7 +69,7 @@ int live(const LiveOptions& options) {
     if (options.scene.empty() && !(options.settings.empty() && options.rates.empty()))
         throw InputError("--set and --rates change a scene: expected one");
     const LiveFiles files = live_files();
-    std::optional<LiveScene> scene;
+    std::optional<PackedScene> scene;
     if (!options.scene.empty())
         scene = pack_scene(options.scene, options.settings, options.rates);
     const bool alone = !options.serve && !options.output.ends_with('/');

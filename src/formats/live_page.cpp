@@ -41,7 +41,7 @@ std::string element(const char* type, const char* id, const std::string& content
            "</script>\n";
 }
 
-std::string scene_json(const LiveScene& scene) {
+std::string scene_json(const PackedScene& scene) {
     nlohmann::ordered_json json{{"name", scene.name}, {"text", scene.text}};
     json["files"] = nlohmann::ordered_json::array();
     for (const auto& [path, bytes] : scene.files)
@@ -51,9 +51,9 @@ std::string scene_json(const LiveScene& scene) {
 
 } // namespace
 
-LiveScene pack_scene(const std::filesystem::path& file, const std::vector<std::string>& settings,
-                     const std::string& rates) {
-    LiveScene packed{file.filename().string(), read_text(file.string()), {}};
+PackedScene pack_scene(const std::filesystem::path& file, const std::vector<std::string>& settings,
+                       const std::string& rates) {
+    PackedScene packed{file.filename().string(), read_text(file.string()), {}};
     const std::vector<std::string> here =
         named_files(parse_scene(packed.text, file.string(), file.parent_path()));
     SceneDesc scene = parse_scene(packed.text, file.string(), kPageFolder);
