@@ -27,6 +27,16 @@ Exit codes: 0 done, 1 a check, a comparison or a run failed, 2 bad input, 130 or
 
 using Run = std::function<int()>;
 
+/// What both runs and pages may change of a scene.
+template <typename Options> void add_scene_changes(CLI::App* command, Options& o) {
+    command
+        ->add_option("--set", o.settings,
+                     "another value for a field of the scene: section.key=value")
+        ->allow_extra_args(false);
+    command->add_option("--rates", o.rates,
+                        "preset of the rates: default, paper, fine, paper-literal");
+}
+
 void add_simulate(CLI::App& app, Run& run) {
     static SimulateOptions o;
     CLI::App* command = app.add_subcommand("simulate", "Simulate a scene into a cache");
@@ -41,12 +51,7 @@ void add_simulate(CLI::App& app, Run& run) {
     command->add_option("--instruction-set", o.instruction_set,
                         "avx512, avx2, sse4 or scalar instead of the best; changes no bit either");
     command->add_option("--frames", o.frames, "frames to simulate, instead of the scene's");
-    command
-        ->add_option("--set", o.settings,
-                     "another value for a field of the scene: section.key=value")
-        ->allow_extra_args(false);
-    command->add_option("--rates", o.rates,
-                        "preset of the rates: default, paper, fine, paper-literal");
+    add_scene_changes(command, o);
     command->add_option("--stats", o.statistics, "write the statistics as JSON")
         ->type_name("FILE.json");
     command
@@ -178,12 +183,7 @@ void add_live(CLI::App& app, Run& run) {
     command->add_option("--port", o.port, "of --serve; 0: any that is free")
         ->check(CLI::Range(0, 65535))
         ->capture_default_str();
-    command
-        ->add_option("--set", o.settings,
-                     "another value for a field of the scene: section.key=value")
-        ->allow_extra_args(false);
-    command->add_option("--rates", o.rates,
-                        "preset of the rates: default, paper, fine, paper-literal");
+    add_scene_changes(command, o);
     command->callback([&run] { run = [] { return live(o); }; });
 }
 

@@ -62,6 +62,8 @@ class StrandShape {
               std::span<float> widths) const;
     /// The same for all strands, on the threads of the options; by one caller at a time.
     void fill(std::span<Vec3> positions, std::span<float> widths) const;
+    /// All strands in memory of their own, made likewise.
+    Curves curves() const;
 
   private:
     struct Data;

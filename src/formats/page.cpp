@@ -5,6 +5,7 @@
 #include "formats/page_payload.h"
 #include "mane/cache.h"
 #include "mane/error.h"
+#include "mane/fields.h"
 #include "mane/scene.h"
 #include "mane/world.h"
 
@@ -24,20 +25,10 @@ std::int32_t in_quanta(double x, double quantum, const char* what, std::size_t f
     return static_cast<std::int32_t>(std::lround(x / quantum));
 }
 
-const char* distribution_name(StrandDistribution distribution) {
-    switch (distribution) {
-    case StrandDistribution::gaussian:
-        return "gaussian";
-    case StrandDistribution::rim:
-        return "rim";
-    case StrandDistribution::uniform:
-        break;
-    }
-    return "uniform";
-}
-
-nlohmann::ordered_json describe(const StrandDesc& desc) {
-    return {{"count", desc.count},       {"distribution", distribution_name(desc.distribution)},
+nlohmann::ordered_json describe_strands(const SceneDesc& scene) {
+    const StrandDesc& desc = scene.hair.strands;
+    const Value distribution = find_field("strands", "distribution")->get(scene);
+    return {{"count", desc.count},       {"distribution", std::get<std::string>(distribution)},
             {"jitter", desc.jitter},     {"lengthJitter", desc.length_jitter},
             {"waves", desc.waves},       {"waveAmplitude", desc.wave_amplitude},
             {"curls", desc.curls},       {"rootWidth", desc.root_width},
@@ -138,7 +129,7 @@ std::string page_data(const CacheReader& run, const PageDesc& desc) {
                         {"wisps", groom.wisp_count()},
                         {"envelopePoints", groom.envelope_points},
                         {"seed", scene.simulation.seed},
-                        {"strandDesc", describe(scene.hair.strands)},
+                        {"strandDesc", describe_strands(scene)},
                         {"bodies", nlohmann::ordered_json::array()}};
     add_groom(groom, payload);
     for (std::size_t b = 0; b < run.setup().bodies.size(); ++b)

@@ -57,10 +57,11 @@ class Scene {
         case PictureLayer::strands: {
             StrandDesc drawn = strands;
             drawn.count = std::min(desc.strands, strands.count);
-            const StrandShape shape(groom, drawn, seed);
+            StrandShape shape(groom, drawn, seed, kSamples, {.threads = desc.threads});
+            shape.pose(frame);
             for (std::size_t s = 0; s < shape.strand_count(); ++s)
                 wisp_of_.push_back(shape.wisp(s));
-            shading = make_strands(groom, frame, drawn, seed, kSamples, desc.threads);
+            shading = shape.curves();
             width_scale =
                 static_cast<float>(strands.count) / static_cast<float>(std::max(drawn.count, 1u));
             if (!shading.position.empty())

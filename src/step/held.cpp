@@ -1,17 +1,20 @@
 #include "step/held.h"
 
 #include "character/ease.h"
+#include "step/hermite.h"
 
 namespace mane {
 namespace {
 
 template <typename T> T hermite(const T (&value)[2], const T (&slope)[2], float s) {
-    return value[0] * ((1 + 2 * s) * (1 - s) * (1 - s)) + value[1] * (s * s * (3 - 2 * s)) +
-           slope[0] * (s * (1 - s) * (1 - s)) + slope[1] * (s * s * (s - 1));
+    const HermiteWeights w = HermiteWeights::at(s);
+    return value[0] * w.value[0] + value[1] * w.value[1] + slope[0] * w.slope[0] +
+           slope[1] * w.slope[1];
 }
 template <typename T> T hermite_rate(const T (&value)[2], const T (&slope)[2], float s) {
-    return (value[1] - value[0]) * (6 * s - 6 * s * s) + slope[0] * (3 * s * s - 4 * s + 1) +
-           slope[1] * (3 * s * s - 2 * s);
+    const HermiteWeights w = HermiteWeights::rate_at(s);
+    // by the difference: what stays where it is has no rate, not even by rounding
+    return (value[1] - value[0]) * w.value[1] + slope[0] * w.slope[0] + slope[1] * w.slope[1];
 }
 
 Vec3 velocity_at(const Held::Point& point, float s, float block_seconds) {

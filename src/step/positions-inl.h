@@ -7,22 +7,18 @@
 #endif
 
 #include "base/pack-inl.h"
+#include "step/hermite.h"
 #include "step/kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
-/// Cubic Hermite weights and their derivatives by s.
+/// A cubic Hermite curve's weights, for roots.
 struct Hermite {
     Pack value[2], slope[2];
 
-    static HWY_INLINE Hermite at(float s) {
-        return {{(1 + 2 * s) * (1 - s) * (1 - s), s * s * (3 - 2 * s)},
-                {s * (1 - s) * (1 - s), s * s * (s - 1)}};
-    }
-    static HWY_INLINE Hermite rate_at(float s) {
-        return {{6 * s * s - 6 * s, 6 * s - 6 * s * s}, {3 * s * s - 4 * s + 1, 3 * s * s - 2 * s}};
-    }
+    HWY_INLINE explicit Hermite(const HermiteWeights& w)
+        : value{w.value[0], w.value[1]}, slope{w.slope[0], w.slope[1]} {}
     HWY_INLINE Pack3 blend(const RootMotion& roots, RootMotion::Column column, std::size_t packet,
                            std::size_t lane) const {
         const std::size_t offset = column * 3 * kLanes + lane;
@@ -34,7 +30,7 @@ struct Hermite {
 };
 
 void move_root_velocities(const KernelData& data, float s, std::size_t first, std::size_t last) {
-    const Hermite rate = Hermite::rate_at(s);
+    const Hermite rate(HermiteWeights::rate_at(s));
     const Pack per_second(1.f / data.roots.seconds);
     for (std::size_t p = first; p < last; ++p) {
         const std::size_t row = data.layout.packets()[p].first_row;
@@ -61,7 +57,7 @@ HWY_INLINE void advance_section(const KernelData& data, std::size_t row, std::si
 }
 
 void place_roots(const KernelData& data, float s, std::size_t first, std::size_t last) {
-    const Hermite place = Hermite::at(s);
+    const Hermite place(HermiteWeights::at(s));
     for (std::size_t p = first; p < last; ++p) {
         const std::size_t row = data.layout.packets()[p].first_row;
         for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {

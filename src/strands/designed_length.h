@@ -9,6 +9,12 @@
 
 namespace mane {
 
+/// A place along a wisp: p = `piece` + `t`.
+struct AlongWisp {
+    std::uint32_t piece = 0;
+    float t = 0; ///< 0 to 1
+};
+
 /// How long every wisp was designed: what belongs to the hair's material (where a strand ends, the
 /// phase of its waves, the turn of its curls) is told by it and does not slide when segments
 /// stretch.
@@ -16,10 +22,15 @@ class DesignedLength {
   public:
     explicit DesignedLength(const Groom& groom);
 
-    /// [m] from x₁ to p = `piece` + `t`; negative before x₁.
-    float to(std::size_t wisp, std::uint32_t piece, float t) const {
-        const float* s = to_section_.data() + first_section_[wisp] + piece;
-        return s[0] + (s[1] - s[0]) * t;
+    /// The segment that p is on, and where on it.
+    AlongWisp along(std::size_t wisp, float p) const {
+        const std::uint32_t piece = std::min(static_cast<std::uint32_t>(p), pieces(wisp) - 1);
+        return {piece, p - static_cast<float>(piece)};
+    }
+    /// [m] from x₁ to there; negative before x₁.
+    float to(std::size_t wisp, AlongWisp at) const {
+        const float* s = to_section_.data() + first_section_[wisp] + at.piece;
+        return s[0] + (s[1] - s[0]) * at.t;
     }
     /// [m] from x₁ to the tip
     float whole(std::size_t wisp) const { return to_section_[first_section_[wisp + 1] - 1]; }

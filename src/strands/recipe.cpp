@@ -4,9 +4,6 @@
 #include "base/random.h"
 #include "strands/catmull_rom.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace mane {
 namespace {
 
@@ -58,15 +55,13 @@ class RecipeWriter {
 
     void write_end(std::size_t n, std::size_t wisp, DiscPoint place, const Random& random,
                    const float* left) const {
-        const std::uint32_t piece =
-            std::min(static_cast<std::uint32_t>(out_.end[n]), designed_.pieces(wisp) - 1);
-        const float t = out_.end[n] - static_cast<float>(piece);
-        const CatmullRomWeights weights(t);
-        const float share = weights.at(left + piece);
-        out_.end_piece[n] = static_cast<float>(piece);
+        const AlongWisp at = designed_.along(wisp, out_.end[n]);
+        const CatmullRomWeights weights(at.t);
+        const float share = weights.at(left + at.piece);
+        out_.end_piece[n] = static_cast<float>(at.piece);
         for (std::size_t j = 0; j < 4; ++j)
             out_.end_weight[j][n] = weights.of[j];
-        const double length = double{designed_.to(wisp, piece, t)};
+        const double length = double{designed_.to(wisp, at)};
         const double turn = designed_.turn(wisp, double{desc_.curls}, length);
         const auto c = static_cast<float>(cosine(turn)), s = static_cast<float>(sine(turn));
         out_.end_x[n] = (place.x * c - place.y * s) * share;

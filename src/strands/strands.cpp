@@ -32,9 +32,8 @@ class GridAngles {
             first_.push_back(cosine_.size());
             const std::uint32_t vertices = grid.vertices(designed.pieces(w));
             for (std::uint32_t v = 0; v < vertices; ++v) {
-                const std::uint32_t piece = std::min(v / grid.samples(), designed.pieces(w) - 1);
-                const float t = grid.parameter()[v] - static_cast<float>(piece);
-                const double a = angle(w, double{designed.to(w, piece, t)});
+                const AlongWisp at = designed.along(w, grid.parameter()[v]);
+                const double a = angle(w, double{designed.to(w, at)});
                 cosine_.push_back(static_cast<float>(mane::cosine(a)));
                 sine_.push_back(static_cast<float>(mane::sine(a)));
             }
@@ -61,11 +60,11 @@ struct Scratch {
 
 struct StrandShape::Data {
     Data(const Groom& groom, const StrandDesc& d, std::uint32_t seed, std::uint32_t samples,
-         unsigned count, const std::string& instruction_set)
-        : threads(count), desc(d), layout(groom, d.count), designed(groom),
+         const StrandOptions& options)
+        : threads(options.threads), desc(d), layout(groom, d.count), designed(groom),
           grid(samples, most_pieces(designed)), envelope(groom), waves(designed, d, seed),
           recipes(d, seed, layout, designed, envelope, waves, grid, threads),
-          kernels(strand_kernels(instruction_set)) {
+          kernels(strand_kernels(options.instruction_set)) {
         if (waves.amplitude() > 0)
             wave_angles.emplace(designed, grid, [&](std::size_t w, double length) {
                 return waves.phase(w, length);
@@ -142,11 +141,8 @@ struct StrandShape::Data {
     /// − 1.
     void measure_waves(std::size_t w, std::size_t first, std::size_t behind,
                        Scratch& scratch) const {
-        const std::uint32_t pieces = designed.pieces(w), vertices = grid.vertices(pieces);
-        const auto amplitude_at = [&](float p) {
-            const std::uint32_t piece = std::min(static_cast<std::uint32_t>(p), pieces - 1);
-            return waves.amplitude(w, piece, p - static_cast<float>(piece));
-        };
+        const std::uint32_t vertices = grid.vertices(designed.pieces(w));
+        const auto amplitude_at = [&](float p) { return waves.amplitude(w, designed.along(w, p)); };
         scratch.wave_sine.resize(vertices + StrandRecipes::kPadding);
         scratch.wave_cosine.resize(vertices + StrandRecipes::kPadding);
         for (std::uint32_t v = 0; v < vertices; ++v) {
@@ -174,8 +170,7 @@ struct StrandShape::Data {
 
 StrandShape::StrandShape(const Groom& groom, const StrandDesc& desc, std::uint32_t seed,
                          std::uint32_t samples_per_segment, const StrandOptions& options)
-    : data_(std::make_unique<Data>(groom, desc, seed, samples_per_segment, options.threads,
-                                   options.instruction_set)) {}
+    : data_(std::make_unique<Data>(groom, desc, seed, samples_per_segment, options)) {}
 StrandShape::~StrandShape() = default;
 StrandShape::StrandShape(StrandShape&&) noexcept = default;
 StrandShape& StrandShape::operator=(StrandShape&&) noexcept = default;
@@ -219,18 +214,20 @@ void StrandShape::fill(std::span<Vec3> positions, std::span<float> widths) const
     data_->threads.run_ranges(strand_count(), kStrandsPerChunk, some);
 }
 
+Curves StrandShape::curves() const {
+    Curves curves;
+    curves.first_vertex.assign(data_->recipes.vertex.begin(), data_->recipes.vertex.end());
+    curves.position.resize(vertex_count());
+    curves.width.resize(vertex_count());
+    fill(curves.position, curves.width);
+    return curves;
+}
+
 Curves make_strands(const Groom& groom, const Frame& frame, const StrandDesc& desc,
                     std::uint32_t seed, std::uint32_t samples_per_segment, unsigned threads) {
     StrandShape shape(groom, desc, seed, samples_per_segment, {.threads = threads});
     shape.pose(frame);
-    Curves curves;
-    curves.first_vertex.resize(shape.strand_count() + 1);
-    for (std::size_t s = 0; s <= shape.strand_count(); ++s)
-        curves.first_vertex[s] = static_cast<std::uint32_t>(shape.first_vertex(s));
-    curves.position.resize(shape.vertex_count());
-    curves.width.resize(shape.vertex_count());
-    shape.fill(curves.position, curves.width);
-    return curves;
+    return shape.curves();
 }
 
 } // namespace mane

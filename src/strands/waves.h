@@ -36,12 +36,12 @@ class Waves {
     double phase(std::size_t wisp, double length) const {
         return wisps_[wisp].phase + wisps_[wisp].rate * length;
     }
-    /// The amplitude that the frame's stretch leaves at p = `piece` + `t`: linear between the ends
-    /// and the middle of a segment.
-    float amplitude(std::size_t wisp, std::uint32_t piece, float t) const {
-        const Left& l = left_[wisps_[wisp].first_piece + piece];
-        return t < 0.5f ? l.begin + (l.middle - l.begin) * 2 * t
-                        : l.middle + (l.end - l.middle) * (2 * t - 1);
+    /// The amplitude that the frame's stretch leaves at a place: linear between the ends and the
+    /// middle of a segment.
+    float amplitude(std::size_t wisp, AlongWisp at) const {
+        const Left& l = left_[wisps_[wisp].first_piece + at.piece];
+        return at.t < 0.5f ? l.begin + (l.middle - l.begin) * 2 * at.t
+                           : l.middle + (l.end - l.middle) * (2 * at.t - 1);
     }
 
   private:

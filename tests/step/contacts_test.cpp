@@ -20,16 +20,22 @@ Body floor_at(float top) {
     return slab;
 }
 
-} // namespace
-
-TEST_CASE("what a floor pushes back is the weight that lies on it") {
-    // The springs carry the wisp in its design under g, and it bends easily, so under 2 g it comes
-    // down 2 mm to the floor, which carries the other g.
+/// Sticks out sideways and bends easily.
+LoneWisp lying_wisp() {
     LoneWisp lone;
     lone.shape.direction = {1, 0, 0};
     lone.shape.length = 0.3f;
     lone.shape.radius = {0.01f, 0.01f};
     lone.shape.skeleton.bending_length = 0.08f;
+    return lone;
+}
+
+} // namespace
+
+TEST_CASE("what a floor pushes back is the weight that lies on it") {
+    // The springs carry the wisp in its design under g, and it bends easily, so under 2 g it comes
+    // down 2 mm to the floor, which carries the other g.
+    LoneWisp lone = lying_wisp();
     lone.desc.gravity = {0, -2 * 9.80665f, 0};
     lone.desc.schedule.frame_rate = 120;
     lone.desc.schedule.integration_rate = 2000;
@@ -92,11 +98,7 @@ TEST_CASE("contacts of wisps are told with their kinds, and only where wisps tou
 TEST_CASE("penetration reactions are told one by one: which point, out of which body, by how far") {
     // Contacts that are answered only when they are found: between two detections the wisp falls
     // into the floor.
-    LoneWisp lone;
-    lone.shape.direction = {1, 0, 0};
-    lone.shape.length = 0.3f;
-    lone.shape.radius = {0.01f, 0.01f};
-    lone.shape.skeleton.bending_length = 0.08f;
+    LoneWisp lone = lying_wisp();
     lone.desc.gravity = {0, -20 * 9.80665f, 0};
     lone.desc.schedule.frame_rate = 60;
     lone.desc.schedule.integration_rate = 2000;

@@ -143,20 +143,10 @@ export class LightVolume {
 
     /** A body's surface as a shell, moved a little under its skin, so that it does not shade what lies on it. */
     private addBody(body: PosedBody): void {
-        const { vertices: p, normals: n } = body,
-            triangles = body.mesh.triangles;
+        const { vertices: p, normals: n } = body;
         const under = 1.5 * this.cell,
             perVolume = kSkinDepth / this.cell ** 3;
-        for (let t = 0; t < triangles.length; t += 3) {
-            const a = 3 * triangles[t],
-                b = 3 * triangles[t + 1],
-                c = 3 * triangles[t + 2];
-            const ux = p[b] - p[a],
-                uy = p[b + 1] - p[a + 1],
-                uz = p[b + 2] - p[a + 2];
-            const vx = p[c] - p[a],
-                vy = p[c + 1] - p[a + 1],
-                vz = p[c + 2] - p[a + 2];
+        body.forEachTriangle((a, _b, _c, ux, uy, uz, vx, vy, vz) => {
             const area = 0.5 * Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx);
             const rows = Math.min(8, 1 + Math.floor(Math.sqrt(2 * area) / this.cell));
             const amount = (area * perVolume) / (rows * rows);
@@ -170,7 +160,7 @@ export class LightVolume {
                         z = p[a + 2] + uz * s + vz * r - under * n[a + 2];
                     this.splat(x, y, z, amount);
                 }
-        }
+        });
     }
 
     private seeSky(): void {

@@ -39,20 +39,21 @@ export class PosedBody {
         this.updateNormals();
     }
 
-    private updateNormals(): void {
-        const n = this.normals.fill(0),
-            p = this.vertices,
+    /** Each triangle: where its corners' numbers begin, and its edges from the first corner to the second (u) and the third (v). */
+    forEachTriangle(visit: (a: number, b: number, c: number, ux: number, uy: number, uz: number, vx: number, vy: number, vz: number) => void): void {
+        const p = this.vertices,
             triangles = this.mesh.triangles;
         for (let t = 0; t < triangles.length; t += 3) {
             const a = 3 * triangles[t],
                 b = 3 * triangles[t + 1],
                 c = 3 * triangles[t + 2];
-            const ux = p[b] - p[a],
-                uy = p[b + 1] - p[a + 1],
-                uz = p[b + 2] - p[a + 2];
-            const vx = p[c] - p[a],
-                vy = p[c + 1] - p[a + 1],
-                vz = p[c + 2] - p[a + 2];
+            visit(a, b, c, p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2], p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]);
+        }
+    }
+
+    private updateNormals(): void {
+        const n = this.normals.fill(0);
+        this.forEachTriangle((a, b, c, ux, uy, uz, vx, vy, vz) => {
             const x = uy * vz - uz * vy,
                 y = uz * vx - ux * vz,
                 z = ux * vy - uy * vx; // twice the area long: larger triangles count for more
@@ -61,7 +62,7 @@ export class PosedBody {
                 n[i + 1] += y;
                 n[i + 2] += z;
             }
-        }
+        });
         for (let i = 0; i < n.length; i += 3) {
             const l = Math.hypot(n[i], n[i + 1], n[i + 2]) || 1;
             n[i] /= l;
