@@ -29,6 +29,13 @@ ClosestPoints closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, con
 /// without branches on signs of zeros.
 float squared_depth(const ContactPoints& points, std::uint32_t rank, float a, float b) {
     const std::uint32_t k_count = points.per_section - 1;
+    const auto radius = [&](std::uint32_t line) {
+        return std::max(points.radius[points.place(rank, line + 1)], kSmallestRadius);
+    };
+    if (k_count == 4) { // the paper's four: the signs tell the quadrant
+        const float p = a / radius(a < 0 ? 2 : 0), q = b / radius(b < 0 ? 3 : 1);
+        return p * p + q * q;
+    }
     const float sine = points.half_lines[1].sine, cosine = points.half_lines[1].cosine;
     float best = 0, result = 0;
     for (std::uint32_t k = 0; k < k_count; ++k) {
@@ -41,9 +48,6 @@ float squared_depth(const ContactPoints& points, std::uint32_t rank, float a, fl
         if (k > 0 && smaller <= best)
             continue;
         best = smaller;
-        const auto radius = [&](std::uint32_t line) {
-            return std::max(points.radius[points.place(rank, line + 1)], kSmallestRadius);
-        };
         const float p = alpha / radius(k), q = beta / radius(next);
         result = p * p + q * q + 2 * p * q * cosine;
     }

@@ -4,31 +4,37 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 namespace mane {
 namespace {
 
-/// The bits of x with two zeros after each: a third of a place on Morton's curve.
-std::uint64_t spread(std::uint32_t x) {
-    std::uint64_t spread = 0;
-    for (int bit = 0; bit < 20; ++bit)
-        spread |= std::uint64_t{x >> bit & 1} << 3 * bit;
-    return spread;
-}
-
-std::vector<std::uint64_t> places_on_curve(const std::vector<Vec3>& points) {
-    Box all{points[0], points[0]};
-    for (const Vec3& p : points)
-        all.add(p);
-    const Vec3 extent = all.high - all.low;
-    const float scale = 1048575.f / std::max({extent.x, extent.y, extent.z, 1e-6f});
-    const auto along = [scale](float x) { return spread(static_cast<std::uint32_t>(x * scale)); };
-    std::vector<std::uint64_t> places;
-    places.reserve(points.size());
-    for (const Vec3& p : points)
-        places.push_back(along(p.x - all.low.x) | along(p.y - all.low.y) << 1 |
-                         along(p.z - all.low.z) << 2);
-    return places;
+/// Cuts places along the longest side of the box that holds them, into halves that fill whole
+/// nodes of a tree of sixteens, and those again, down to sixteen. Equal places stand in the order
+/// of their numbers, so every library makes the same cuts (M39).
+void cut(std::span<const Vec3> place, std::span<std::uint32_t> range) {
+    if (range.size() <= kLanes) {
+        std::sort(range.begin(), range.end());
+        return;
+    }
+    Box box{place[range[0]], place[range[0]]};
+    for (const std::uint32_t i : range)
+        box.add(place[i]);
+    const Vec3 size = box.high - box.low;
+    float Vec3::*axis = size.x >= size.y && size.x >= size.z ? &Vec3::x
+                        : size.y >= size.z                   ? &Vec3::y
+                                                             : &Vec3::z;
+    std::size_t part = kLanes;
+    while (part * kLanes < range.size())
+        part *= kLanes;
+    const std::size_t parts = (range.size() + part - 1) / part, half = parts / 2 * part;
+    std::nth_element(range.begin(), range.begin() + static_cast<std::ptrdiff_t>(half), range.end(),
+                     [&](std::uint32_t a, std::uint32_t b) {
+                         return place[a].*axis != place[b].*axis ? place[a].*axis < place[b].*axis
+                                                                 : a < b;
+                     });
+    cut(place, range.first(half));
+    cut(place, range.subspan(half));
 }
 
 } // namespace
@@ -38,10 +44,8 @@ ContactOrder::ContactOrder(const Groom& groom, const Layout& layout)
       before_(section_.size(), kNone), at_(layout.rows() * kLanes, kNone) {
     if (section_.empty())
         return;
-    const std::vector<std::uint64_t> place = places_on_curve(groom.position);
     std::iota(section_.begin(), section_.end(), 0u);
-    std::stable_sort(section_.begin(), section_.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return place[a] < place[b]; });
+    cut(groom.position, section_);
     for (std::uint32_t r = 0; r < size(); ++r)
         rank_[section_[r]] = r;
     for (std::uint32_t r = 0; r < size(); ++r) {

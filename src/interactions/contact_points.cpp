@@ -105,6 +105,7 @@ HWY_INLINE void take_row(const HairView& hair, ContactPoints& points, std::size_
     lanes.put(x - extent, points.low);
     lanes.put(x + extent, points.high);
     lanes.put(area, points.area);
+    lanes.put(largest, points.largest);
 }
 
 void find_directions(ContactPoints& points, std::size_t first, std::size_t last) {
@@ -273,6 +274,9 @@ ContactPoints contact_points(const HairView& hair) {
     p.order = ContactOrder(groom, hair.layout);
     p.per_section = groom.envelope_points + 1;
     p.half_lines.assign(hair.half_lines.begin(), hair.half_lines.end());
+    // Of three half lines, an ellipse through a long and a short one bulges over the long one.
+    if (p.half_lines[1].cosine < 0)
+        p.bulge = 1 / p.half_lines[1].sine;
     const std::size_t ranks = p.order.size();
     for (std::uint32_t r = 0; r < ranks; ++r) {
         const std::uint32_t section = p.order.section(r);
@@ -284,7 +288,7 @@ ContactPoints contact_points(const HairView& hair) {
     for (AlignedVector<Four>* per_rank :
          {&p.position, &p.normal, &p.second_axis, &p.low, &p.high, &p.direction})
         per_rank->assign(p.padded_ranks(), Four{});
-    for (AlignedVector<float>* per_rank : {&p.area, &p.slenderness})
+    for (AlignedVector<float>* per_rank : {&p.area, &p.largest, &p.slenderness})
         per_rank->assign(p.padded_ranks(), 0.f);
     for (AlignedVector<float>* per_place : {&p.x, &p.y, &p.z})
         per_place->assign(p.places(), kFarAway);

@@ -35,15 +35,17 @@ struct ContactPoints {
     ContactOrder order;
     std::uint32_t per_section = 0;    ///< K + 1
     std::vector<HalfLine> half_lines; ///< in a section's own axes
-    AlignedVector<float> rest_area;   ///< per rank: Σ r_k r_{k+1} of the design
-    std::vector<std::uint32_t> wisp;  ///< per rank
-    std::vector<std::uint8_t> held;   ///< per rank: by the head (x₀ and x₁)
+    float bulge = 1; ///< of its largest radius, the farthest that the surface is from the skeleton
+    AlignedVector<float> rest_area;  ///< per rank: Σ r_k r_{k+1} of the design
+    std::vector<std::uint32_t> wisp; ///< per rank
+    std::vector<std::uint8_t> held;  ///< per rank: by the head (x₀ and x₁)
 
     // of a block
     AlignedVector<Four> position, normal; ///< per rank
     AlignedVector<Four> second_axis;      ///< per rank: v of the section's axes; u is half line 0
     AlignedVector<Four> low, high;        ///< per rank: corners of the box of its largest disc
     AlignedVector<float> area;            ///< per rank: Σ r_k r_{k+1}
+    AlignedVector<float> largest;         ///< per rank: radius
     AlignedVector<Four> direction;        ///< per rank: of the segment that begins there
     AlignedVector<float> slenderness;     ///< its length in mean diameters
     AlignedVector<float> x, y, z;  ///< per place; far away where there is no point, and of x₀

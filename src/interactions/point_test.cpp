@@ -5,7 +5,7 @@
 #define HWY_TARGET_INCLUDE "interactions/point_test.cpp"
 #include <hwy/foreach_target.h>
 
-#include "base/pack-inl.h"
+#include "interactions/box_search-inl.h"
 
 #include <algorithm>
 
@@ -19,6 +19,11 @@ HWY_INLINE Mask in_box(const Box& box, const Pack3& p) {
     };
     return both(both(within(box.low.x, p.x, box.high.x), within(box.low.y, p.y, box.high.y)),
                 within(box.low.z, p.z, box.high.z));
+}
+
+HWY_INLINE Mask in_rod(const Rod& rod, const Pack3& p) {
+    const Pack3 off = cross(p - broadcast(rod.x), broadcast(rod.way));
+    return dot(off, off) <= Pack(rod.radius * rod.radius);
 }
 
 /// One end of a segment's volume.
@@ -40,9 +45,11 @@ struct VolumeEnd {
 struct SegmentVolume {
     VolumeEnd end[2];
     Box box;
+    Rod rod;
 
-    SegmentVolume(const ContactPoints& points, std::uint32_t rank)
-        : end{{points, rank}, {points, points.order.next(rank)}}, box(segment_box(points, rank)) {}
+    SegmentVolume(const ContactPoints& points, std::uint32_t rank, const Rod& held_by)
+        : end{{points, rank}, {points, points.order.next(rank)}}, box(segment_box(points, rank)),
+          rod(held_by) {}
 };
 
 HWY_INLINE Pack mixed(float a, float b, Pack s) {
@@ -122,22 +129,6 @@ HWY_INLINE Pack density_at(const SegmentVolume& volume, Pack s) {
                    Pack(10.f));
 }
 
-HWY_INLINE Mask overlap(const BoxTree::Node& node, std::size_t lane, const Box& box) {
-    const auto along = [lane](const float* low, const float* high, float from, float to) {
-        return both(Pack::load(low + lane) <= Pack(to), Pack(from) <= Pack::load(high + lane));
-    };
-    return both(both(along(node.low_x, node.high_x, box.low.x, box.high.x),
-                     along(node.low_y, node.high_y, box.low.y, box.high.y)),
-                along(node.low_z, node.high_z, box.low.z, box.high.z));
-}
-
-HWY_INLINE std::uint32_t children_in(const BoxTree::Node& node, const Box& box) {
-    std::uint32_t bits = 0;
-    for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes)
-        bits |= bits_of(overlap(node, lane, box)) << lane;
-    return bits;
-}
-
 /// Calls `found(node, child)` for the boxes of the tree that overlap `box`, in rising order.
 template <typename Found>
 HWY_INLINE void for_overlapping(const BoxTree& tree, const Box& box, Found&& found) {
@@ -185,12 +176,15 @@ void gather(const BoxTree& tree, const Box& box, NearBoxes& near) {
     });
 }
 
-std::size_t among(const NearBoxes& near, const Box& box, std::uint32_t* items) {
+std::size_t among(const NearBoxes& near, const Box& box, const Rod& rod, std::uint32_t* items) {
+    const RodView view(rod);
     std::size_t count = 0;
-    for (std::size_t first = 0; first < near.items.size(); first += kLanes)
-        for (std::uint32_t bits = children_in(near.nodes[first / kLanes], box); bits != 0;
+    for (std::size_t first = 0; first < near.items.size(); first += kLanes) {
+        const BoxTree::Node& node = near.nodes[first / kLanes];
+        for (std::uint32_t bits = children_in(node, box) & view.children(node); bits != 0;
              bits &= bits - 1)
             items[count++] = near.items[first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
+    }
     return count;
 }
 
@@ -206,7 +200,7 @@ HWY_INLINE hn::Vec<Whole> counting_from(std::uint32_t first) {
     return hn::Add(hn::Load(Whole(), kCounting), whole(first));
 }
 
-/// Points that wait for the test: those in the box, a few vectors of them.
+/// Points that wait for the test: those in the box and the rod, a few vectors of them.
 struct Waiting {
     static constexpr std::size_t kMost = 256;
     alignas(64) float x[kMost + 2 * kLanes], y[kMost + 2 * kLanes], z[kMost + 2 * kLanes];
@@ -214,20 +208,24 @@ struct Waiting {
     std::size_t count = 0;
 };
 
-HWY_INLINE void wait_if_boxed(const Box& box, const ContactPoints& points, std::uint32_t rank,
-                              std::uint32_t code, Mask of_others, Waiting& waiting) {
+HWY_INLINE void wait_if_near(const SegmentVolume& volume, const ContactPoints& points,
+                             std::uint32_t rank, std::uint32_t code, Mask of_others,
+                             Waiting& waiting) {
     const Tag tag;
     const std::uint32_t place = points.place(rank, code);
     const Pack3 p{Pack::load(points.x.data() + place), Pack::load(points.y.data() + place),
                   Pack::load(points.z.data() + place)};
-    const Mask boxed = both(of_others, in_box(box, p));
+    const Mask boxed = both(of_others, in_box(volume.box, p));
     if (none(boxed))
         return;
-    hn::CompressStore(p.x.v, boxed.m, tag, waiting.x + waiting.count);
-    hn::CompressStore(p.y.v, boxed.m, tag, waiting.y + waiting.count);
-    hn::CompressStore(p.z.v, boxed.m, tag, waiting.z + waiting.count);
+    const Mask near = both(boxed, in_rod(volume.rod, p));
+    if (none(near))
+        return;
+    hn::CompressStore(p.x.v, near.m, tag, waiting.x + waiting.count);
+    hn::CompressStore(p.y.v, near.m, tag, waiting.y + waiting.count);
+    hn::CompressStore(p.z.v, near.m, tag, waiting.z + waiting.count);
     const auto point = hn::Add(hn::ShiftLeft<4>(counting_from(rank)), whole(code));
-    waiting.count += hn::CompressStore(point, hn::RebindMask(Whole(), boxed.m), Whole(),
+    waiting.count += hn::CompressStore(point, hn::RebindMask(Whole(), near.m), Whole(),
                                        waiting.point + waiting.count);
 }
 
@@ -262,16 +260,16 @@ HWY_INLINE void test_waiting(const SegmentVolume& volume, const std::vector<Half
     waiting.count = 0;
 }
 
-void find(const ContactPoints& points, std::uint32_t rank, std::span<const std::uint32_t> bunches,
-          PointsInside& found) {
-    const SegmentVolume volume(points, rank);
+void find(const ContactPoints& points, std::uint32_t rank, const Rod& rod,
+          std::span<const std::uint32_t> bunches, PointsInside& found) {
+    const SegmentVolume volume(points, rank, rod);
     const std::uint32_t next = points.order.next(rank);
     Waiting waiting;
     for (const std::uint32_t bunch : bunches)
         for (std::uint32_t code = 0; code < points.per_section; ++code)
             for (std::uint32_t lane = 0; lane < kLanes; lane += kPackLanes) {
                 const std::uint32_t first = bunch * kLanes + lane;
-                wait_if_boxed(volume.box, points, first, code, none_of(first, rank, next), waiting);
+                wait_if_near(volume, points, first, code, none_of(first, rank, next), waiting);
                 if (waiting.count + kPackLanes > Waiting::kMost)
                     test_waiting(volume, points.half_lines, waiting, found);
             }
@@ -356,27 +354,8 @@ void classify(const ContactPoints& points, std::uint32_t rank, const ParallelLim
     }
 }
 
-std::uint32_t crossing(const ContactPoints& points, const BoxTree::Node& boxes, std::uint32_t bunch,
-                       std::uint32_t rank, float least_sine) {
-    const std::uint32_t overlap = children_in(boxes, segment_box(points, rank));
-    if (overlap == 0)
-        return 0;
-    const Pack3 axis = broadcast(first_three(points.direction[rank]));
-    std::uint32_t aslant = 0;
-    for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
-        Pack3 other;
-        Pack spare;
-        hn::LoadInterleaved4(
-            Tag(), reinterpret_cast<const float*>(points.direction.data() + bunch * kLanes + lane),
-            other.x.v, other.y.v, other.z.v, spare.v);
-        const Pack3 n = cross(axis, other);
-        aslant |= bits_of({hn::Not((dot(n, n) < Pack(least_sine * least_sine)).m)}) << lane;
-    }
-    return overlap & aslant;
-}
-
 PointTest point_test() {
-    return {hulls, gather, among, find, classify, crossing};
+    return {hulls, gather, among, find, classify};
 }
 
 } // namespace mane::HWY_NAMESPACE

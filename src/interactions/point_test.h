@@ -2,6 +2,7 @@
 
 #include "interactions/box_tree.h"
 #include "interactions/contact_points.h"
+#include "interactions/rod.h"
 
 #include <cstdint>
 #include <span>
@@ -46,27 +47,25 @@ struct NearBoxes {
     std::vector<std::uint32_t> items;
 };
 
-/// The search for points inside a segment's volume, and for axes that cross it, compiled once per
-/// instruction set. All give the same bits.
+/// The search for points inside a segment's volume, compiled once per instruction set. All give the
+/// same bits.
 struct PointTest {
     /// The boxes of all points of bunches [first, last).
     void (*hulls)(const ContactPoints& points, Box* hulls, std::size_t first, std::size_t last);
     /// Gathers the boxes that overlap `box`.
     void (*gather)(const BoxTree& tree, const Box& box, NearBoxes& near);
-    /// Writes the items of those that overlap a smaller box; there is room for all. Returns how
-    /// many they are.
-    std::size_t (*among)(const NearBoxes& near, const Box& box, std::uint32_t* items);
+    /// Writes the items of those that overlap a smaller box, but for some that a rod in it passes
+    /// by; there is room for all. Returns how many they are.
+    std::size_t (*among)(const NearBoxes& near, const Box& box, const Rod& rod,
+                         std::uint32_t* items);
     /// Appends the points of `bunches` inside the volume of the segment that begins at `rank`, but
-    /// for its own two sections', in the order of bunches, codes and ranks.
-    void (*find)(const ContactPoints& points, std::uint32_t rank,
+    /// for its own two sections', in the order of bunches, codes and ranks. `rod` must hold the
+    /// volume.
+    void (*find)(const ContactPoints& points, std::uint32_t rank, const Rod& rod,
                  std::span<const std::uint32_t> bunches, PointsInside& found);
     /// Tells which of them are quasi-parallel to it.
     void (*classify)(const ContactPoints& points, std::uint32_t rank, const ParallelLimits& limits,
                      PointsInside& found);
-    /// The segments of a bunch, one bit per rank, whose boxes overlap that of the segment at
-    /// `rank`, and whose directions differ from its own by an angle of at least `least_sine`.
-    std::uint32_t (*crossing)(const ContactPoints& points, const BoxTree::Node& boxes,
-                              std::uint32_t bunch, std::uint32_t rank, float least_sine);
 };
 /// For an instruction set by name, or the machine's best for "".
 PointTest point_test_for(const std::string& instruction_set);

@@ -2,9 +2,9 @@
 
 #include "base/functions.h"
 #include "interactions/axis_test.h"
+#include "interactions/rod.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -68,7 +68,8 @@ class Earlier {
 WispDetection::WispDetection(const WispContactDesc& desc, const Ablation& ablation,
                              const std::string& instruction_set)
     : desc_(desc), ablation_(ablation), limits_(limits_of(desc)),
-      point_test_(point_test_for(instruction_set)) {}
+      point_test_(point_test_for(instruction_set)), axis_search_(axis_search_for(instruction_set)) {
+}
 
 void WispDetection::change(const WispContactDesc& desc) {
     desc_ = desc;
@@ -79,7 +80,8 @@ void WispDetection::forget() {
     list_.contacts.clear();
     std::fill(list_.first.begin(), list_.first.end(), 0u);
     for (Found& found : chunks_)
-        found.sliding = {};
+        for (Sliding* sliding : {&found.points, &found.along})
+            *sliding = {};
 }
 
 void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads) {
@@ -90,9 +92,8 @@ void WispDetection::detect(const HairView& hair, const ContactPoints& points, Th
                                [&](std::uint32_t rank) { return slender(points, rank); });
     if (any_slender_)
         place_axes(points, threads);
-    earlier_axes_.assign(list_.axes().begin(), list_.axes().end());
     list_.first.assign(points.order.size() + 1, 0);
-    chunks_.resize(chunks_of(segments_.size(), kSegmentsPerChunk));
+    begin_chunks();
     threads.run(chunks_.size(), [&](std::size_t c) { find_chunk(hair, points, c); });
     collect(points, threads);
 }
@@ -100,8 +101,13 @@ void WispDetection::detect(const HairView& hair, const ContactPoints& points, Th
 std::span<const std::uint32_t> WispDetection::Sliding::of(std::size_t segment) const {
     if (first.empty())
         return {}; // there was no call
-    const std::size_t end = segment + 1 < first.size() ? first[segment + 1] : place.size();
-    return std::span(place).subspan(first[segment], end - first[segment]);
+    const std::size_t end = segment + 1 < first.size() ? first[segment + 1] : number.size();
+    return std::span(number).subspan(first[segment], end - first[segment]);
+}
+
+void WispDetection::Sliding::clear() {
+    number.clear();
+    first.clear();
 }
 
 void WispDetection::list_segments(const HairView& hair, const ContactPoints& points) {
@@ -125,16 +131,33 @@ void WispDetection::place_boxes(const ContactPoints& points, Threads& threads) {
 }
 
 void WispDetection::place_axes(const ContactPoints& points, Threads& threads) {
-    segment_boxes_.resize(points.bunches());
-    for (BoxTree::Node& boxes : segment_boxes_)
-        boxes.clear();
-    for (const std::uint32_t rank : segments_)
-        segment_boxes_[rank / kLanes].set(rank % kLanes, segment_box(points, rank));
+    axes_.resize(points.bunches());
+    for (AxisBunch& bunch : axes_)
+        bunch.clear();
+    widest_ = 0;
+    for (const std::uint32_t rank : segments_) {
+        axes_[rank / kLanes].set(points, rank);
+        widest_ = std::max(widest_, widest(points, rank));
+    }
     threads.run_ranges(hulls_.size(), kBunchesPerChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t b = first; b < last; ++b)
-            hulls_[b] = segment_boxes_[b].hull();
+            hulls_[b] = axes_[b].boxes.hull();
     });
-    segment_tree_.update(hulls_);
+    axes_tree_.update(hulls_);
+}
+
+/// What was found at the last call becomes earlier, for all before any is asked.
+void WispDetection::begin_chunks() {
+    chunks_.resize(chunks_of(segments_.size(), kSegmentsPerChunk));
+    for (Found& found : chunks_) {
+        std::swap(found.points, found.earlier_points);
+        std::swap(found.along, found.earlier_along);
+        found.points.clear();
+        found.along.clear();
+        found.contacts.clear();
+        found.axes.clear();
+        found.met.clear();
+    }
 }
 
 void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points,
@@ -142,12 +165,6 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
     thread_local Scratch scratch;
     scratch.has_met.resize(std::max<std::size_t>(scratch.has_met.size(), points.order.size()));
     Found& found = chunks_[chunk];
-    found.contacts.clear();
-    found.axes.clear();
-    found.met.clear();
-    std::swap(found.sliding, found.earlier);
-    found.sliding.place.clear();
-    found.sliding.first.clear();
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
     for (std::size_t i = first; i < last; ++i) {
@@ -156,6 +173,7 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
         const std::size_t before = found.contacts.size();
         find_points(points, i, found, scratch);
         list_.first[segments_[i] + 1] = static_cast<std::uint32_t>(found.contacts.size() - before);
+        found.along.begin_segment();
         if (any_slender_ && slender(points, segments_[i]))
             find_axes(hair, points, segments_[i], found, scratch);
     }
@@ -172,24 +190,26 @@ void WispDetection::gather_near(const ContactPoints& points, std::size_t first, 
     }
     point_test_.gather(bunch_tree_, hull, scratch.near);
     if (any_slender_)
-        point_test_.gather(segment_tree_, hull, scratch.near_axes);
+        point_test_.gather(axes_tree_, hull, scratch.near_axes);
     scratch.bunches.resize(std::max(scratch.bunches.size(), hulls_.size()));
+    scratch.others.resize(std::max(scratch.others.size(), scratch.near_axes.items.size() * kLanes));
 }
 
 /// The points in the volume of a segment (M21).
 void WispDetection::find_points(const ContactPoints& points, std::size_t index, Found& found,
                                 Scratch& scratch) {
     const std::uint32_t rank = segments_[index], segment = points.order.section(rank);
+    const Rod rod = volume_rod(points, rank);
     const std::size_t bunches =
-        point_test_.among(scratch.near, segment_box(points, rank), scratch.bunches.data());
+        point_test_.among(scratch.near, segment_box(points, rank), rod, scratch.bunches.data());
     PointsInside& inside = scratch.inside;
     inside.count = 0;
-    point_test_.find(points, rank, {scratch.bunches.data(), bunches}, inside);
+    point_test_.find(points, rank, rod, {scratch.bunches.data(), bunches}, inside);
     point_test_.classify(points, rank, limits_, inside);
 
     first_met_[index] = static_cast<std::uint32_t>(found.met.size());
-    found.sliding.first.push_back(static_cast<std::uint32_t>(found.sliding.place.size()));
-    Earlier earlier(found.earlier.of(index % kSegmentsPerChunk));
+    found.points.begin_segment();
+    Earlier earlier(found.earlier_points.of(index % kSegmentsPerChunk));
     for (std::size_t p = 0; p < inside.count; ++p) {
         const std::uint32_t point = inside.point[p], at = point / 16, code = point % 16,
                             section = points.order.section(at);
@@ -209,7 +229,7 @@ void WispDetection::find_points(const ContactPoints& points, std::size_t index, 
              .density = inside.density[p],
              .weight = weight_at(inside.depth[p])});
         if (parallel)
-            found.sliding.place.push_back(place);
+            found.points.number.push_back(place);
         meet(belongs, section, found, scratch);
     }
     for (std::size_t m = first_met_[index]; m < found.met.size(); ++m)
@@ -249,16 +269,15 @@ void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& f
 /// Ours, beyond the paper's footnote: the axes that cross that of a slender segment.
 void WispDetection::find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                               Found& found, Scratch& scratch) const {
-    const std::size_t bunches =
-        point_test_.among(scratch.near_axes, segment_box(points, rank), scratch.bunches.data());
-    for (std::size_t i = 0; i < bunches; ++i) {
-        const std::uint32_t bunch = scratch.bunches[i];
-        for (std::uint32_t bits = point_test_.crossing(points, segment_boxes_[bunch], bunch, rank,
-                                                       limits_.sine_fade);
-             bits != 0; bits &= bits - 1)
-            find_axis(hair, points, rank,
-                      bunch * kLanes + static_cast<std::uint32_t>(std::countr_zero(bits)), found);
-    }
+    const Rod rod{first_three(points.position[rank]), first_three(points.direction[rank]),
+                  widest(points, rank) + widest_ + kRodMargin};
+    const std::size_t bunches = point_test_.among(scratch.near_axes, segment_box(points, rank), rod,
+                                                  scratch.bunches.data()),
+                      others = axis_search_.near(points, axes_.data(), rank, limits_.sine_fade,
+                                                 {scratch.bunches.data(), bunches},
+                                                 scratch.others.data());
+    for (std::size_t i = 0; i < others; ++i)
+        find_axis(hair, points, rank, scratch.others[i], found);
 }
 
 /// Each pair of segments of which one is slender once, from its slender side, or from the first of
@@ -272,24 +291,37 @@ void WispDetection::find_axis(const HairView& hair, const ContactPoints& points,
     if (same_wisp && (!ablation_.self_collision || std::max(a, b) - std::min(a, b) < 2))
         return;
     const auto axis = axis_contact(points, a < b ? rank : other, a < b ? other : rank);
-    if (axis)
-        found.axes.push_back({.section = std::min(a, b),
-                              .point = {ContactPoint::kAxis},
-                              .segment = std::max(a, b),
-                              .s = axis->on_second,
-                              .along = axis->on_first,
-                              .density = axis->density,
-                              .weight = weight_at(axis->depth)});
+    if (!axis)
+        return;
+    WispContact contact{.section = std::min(a, b),
+                        .point = {ContactPoint::kAxis},
+                        .segment = std::max(a, b),
+                        .s = axis->on_second,
+                        .along = axis->on_first,
+                        .density = axis->density,
+                        .weight = weight_at(axis->depth)};
+    if (slides_along(points, contact, slid_along(rank, other))) {
+        contact.kind = WispContactKind::friction;
+        found.along.number.push_back(other);
+    }
+    found.axes.push_back(contact);
 }
 
-WispContactKind WispDetection::axis_kind(const ContactPoints& points,
-                                         const WispContact& contact) const {
+/// Whether two axes slid at the last call, from whichever of the two they were found.
+bool WispDetection::slid_along(std::uint32_t rank, std::uint32_t other) const {
+    const auto had = [&](std::uint32_t of, std::uint32_t number) {
+        const std::uint32_t i = index_[of];
+        const auto slid = chunks_[i / kSegmentsPerChunk].earlier_along.of(i % kSegmentsPerChunk);
+        return std::binary_search(slid.begin(), slid.end(), number);
+    };
+    return had(rank, other) || had(other, rank);
+}
+
+/// Whether two axes in contact are quasi-parallel (M23).
+bool WispDetection::slides_along(const ContactPoints& points, const WispContact& contact,
+                                 bool slid) const {
     if (desc_.mode == WispContactMode::isotropic)
-        return WispContactKind::collision;
-    const auto earlier =
-        std::lower_bound(earlier_axes_.begin(), earlier_axes_.end(), contact, before);
-    const bool was = earlier != earlier_axes_.end() && same_place(*earlier, contact) &&
-                     earlier->kind == WispContactKind::friction;
+        return false;
     const std::uint32_t first = points.order.rank(contact.section),
                         second = points.order.rank(contact.segment);
     const auto velocity = [&](std::uint32_t rank, float s) {
@@ -301,14 +333,12 @@ WispContactKind WispDetection::axis_kind(const ContactPoints& points,
     const Vec3 n =
         cross(first_three(points.direction[first]), first_three(points.direction[second]));
     const float sine = length(n);
-    if (sine >= limits_.sine[was])
-        return WispContactKind::collision;
+    if (sine >= limits_.sine[slid])
+        return false;
     const Vec3 unit = n / sine, // over that of the fade angle
         v = velocity(first, contact.along) - velocity(second, contact.s);
     const float out = std::fabs(dot(v, unit)), in = length(v - unit * dot(v, unit));
-    return out > std::max(limits_.tangent[was] * in, limits_.speed[was])
-               ? WispContactKind::collision
-               : WispContactKind::friction;
+    return !(out > std::max(limits_.tangent[slid] * in, limits_.speed[slid]));
 }
 
 /// Puts together what the chunks found.
@@ -324,18 +354,11 @@ void WispDetection::collect(const ContactPoints& points, Threads& threads) {
                   list_.contacts.begin() + first);
         count_pairs(points.order, c);
     });
-    const auto first_axis = list_.contacts.begin() + static_cast<std::ptrdiff_t>(list_.of_points());
-    auto next = first_axis;
-    for (const Found& found : chunks_)
-        next = std::copy(found.axes.begin(), found.axes.end(), next);
-    std::sort(first_axis, list_.contacts.end(), before);
+    auto next = list_.contacts.begin() + static_cast<std::ptrdiff_t>(list_.of_points());
     friction_contacts_ = intersecting_pairs_ = 0;
-    for (auto c = first_axis; c != list_.contacts.end(); ++c) {
-        c->kind = axis_kind(points, *c);
-        friction_contacts_ += c->kind == WispContactKind::friction;
-    }
     for (const Found& found : chunks_) {
-        friction_contacts_ += found.sliding.place.size();
+        next = std::copy(found.axes.begin(), found.axes.end(), next);
+        friction_contacts_ += found.points.number.size() + found.along.number.size();
         intersecting_pairs_ += found.pairs;
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/parallel_for.h"
+#include "interactions/axis_search.h"
 #include "interactions/contact_list.h"
 #include "interactions/point_test.h"
 #include "mane/desc.h"
@@ -29,8 +30,8 @@ class WispDetection {
     /// last call keeps its kind within the hysteresis.
     void detect(const HairView& hair, const ContactPoints& points, Threads& threads);
 
-    /// Contacts of points in the order of places, bunch by bunch, those of axes in the order of
-    /// sections: nothing depends on how they were found.
+    /// Segment by segment, contacts of points in the order of places, bunch by bunch, those of axes
+    /// in the order of ranks: nothing depends on how they were found.
     const ContactList& list() const { return list_; }
     std::span<const WispContact> contacts() const { return list_.contacts; }
     /// Of the contacts, those of quasi-parallel wisps.
@@ -40,18 +41,22 @@ class WispDetection {
     std::uint64_t intersecting_pairs() const { return intersecting_pairs_; }
 
   private:
-    /// Which points slide in the segments of a chunk: all that the next detection asks of this one.
+    /// What slides in the segments of a chunk, points by their places or axes by their ranks: all
+    /// that the next detection asks of this one.
     struct Sliding {
-        std::vector<std::uint32_t> place; ///< of the points, segment by segment, rising in each
-        std::vector<std::uint32_t> first; ///< per segment of the chunk
+        std::vector<std::uint32_t> number; ///< segment by segment, rising in each
+        std::vector<std::uint32_t> first;  ///< per segment of the chunk
         std::span<const std::uint32_t> of(std::size_t segment) const;
+        void clear();
+        void begin_segment() { first.push_back(static_cast<std::uint32_t>(number.size())); }
     };
     /// What a chunk of segments found.
     struct Found {
         std::vector<WispContact> contacts; ///< of points
         std::vector<WispContact> axes;
         std::vector<std::uint32_t> met; ///< by segment: those of which a point is inside it
-        Sliding sliding, earlier;       ///< now and at the last call
+        Sliding points, earlier_points; ///< now and at the last call
+        Sliding along, earlier_along;   ///< axes
         std::uint64_t pairs = 0;
     };
     /// What a thread keeps from chunk to chunk.
@@ -60,6 +65,7 @@ class WispDetection {
         NearBoxes near_axes;       ///< bunches of segments near it
         std::vector<bool> has_met; ///< by the present segment
         std::vector<std::uint32_t> bunches;
+        std::vector<std::uint32_t> others; ///< segments whose axes may be met
         PointsInside inside;
     };
     struct Belongs {
@@ -69,6 +75,7 @@ class WispDetection {
     void list_segments(const HairView& hair, const ContactPoints& points);
     void place_boxes(const ContactPoints& points, Threads& threads);
     void place_axes(const ContactPoints& points, Threads& threads);
+    void begin_chunks();
     void find_chunk(const HairView& hair, const ContactPoints& points, std::size_t chunk);
     void gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
                      Scratch& scratch) const;
@@ -83,7 +90,8 @@ class WispDetection {
                    Found& found, Scratch& scratch) const;
     void find_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                    std::uint32_t other, Found& found) const;
-    WispContactKind axis_kind(const ContactPoints& points, const WispContact& contact) const;
+    bool slid_along(std::uint32_t rank, std::uint32_t other) const;
+    bool slides_along(const ContactPoints& points, const WispContact& contact, bool slid) const;
     void collect(const ContactPoints& points, Threads& threads);
     void count_pairs(const ContactOrder& order, std::size_t chunk);
     std::span<const std::uint32_t> met_by(std::uint32_t rank) const;
@@ -92,19 +100,20 @@ class WispDetection {
     Ablation ablation_;
     ParallelLimits limits_;
     PointTest point_test_;
+    AxisSearch axis_search_;
 
     std::vector<std::uint32_t> segments_; ///< ranks at which simulated segments begin
     std::vector<Box> hulls_;
-    BoxTree bunch_tree_;                         ///< of the points of each bunch
-    AlignedVector<BoxTree::Node> segment_boxes_; ///< per bunch; where any is slender
-    BoxTree segment_tree_;                       ///< of those
+    BoxTree bunch_tree_;            ///< of the points of each bunch
+    AlignedVector<AxisBunch> axes_; ///< per bunch; where any is slender
+    BoxTree axes_tree_;             ///< of their boxes
+    float widest_ = 0;              ///< [m] of them
     bool any_slender_ = false;
 
     std::vector<Found> chunks_;
     ContactList list_;
-    std::vector<WispContact> earlier_axes_; ///< of the last call
-    std::vector<std::uint32_t> index_;      ///< per rank: of its segment
-    std::vector<std::uint32_t> first_met_;  ///< per segment: in its chunk's `met`
+    std::vector<std::uint32_t> index_;     ///< per rank: of its segment
+    std::vector<std::uint32_t> first_met_; ///< per segment: in its chunk's `met`
     std::uint64_t friction_contacts_ = 0;
     std::uint64_t intersecting_pairs_ = 0;
 };

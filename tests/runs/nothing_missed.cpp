@@ -72,7 +72,7 @@ class PointSearch {
   private:
     void find(std::uint32_t rank, std::span<const std::uint32_t> bunches) {
         found_.count = 0;
-        test_.find(points_, rank, bunches, found_);
+        test_.find(points_, rank, kEverywhere, bunches, found_);
     }
 
     // A section belongs to the simulated segments before and after it; of one wisp, two segments

@@ -1,0 +1,118 @@
+#include "interactions/axis_search.h"
+
+// This file is compiled once per instruction set.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "interactions/axis_search.cpp"
+#include <hwy/foreach_target.h>
+
+#include "interactions/box_search-inl.h"
+#include "interactions/point_test.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mane::HWY_NAMESPACE {
+
+/// The axis of one segment, as others are held against it.
+struct Axis {
+    Vec3 x, way, direction;
+    float widest;
+    Box box;
+
+    Axis(const ContactPoints& points, const AxisBunch* axes, std::uint32_t rank)
+        : direction(first_three(points.direction[rank])), box(segment_box(points, rank)) {
+        const AxisBunch& own = axes[rank / kLanes];
+        const std::size_t lane = rank % kLanes;
+        x = {own.x[0][lane], own.x[1][lane], own.x[2][lane]};
+        way = {own.way[0][lane], own.way[1][lane], own.way[2][lane]};
+        widest = own.widest[lane];
+    }
+};
+
+HWY_INLINE Pack3 load(const float (&rows)[3][kLanes], std::size_t lane) {
+    return {Pack::load(rows[0] + lane), Pack::load(rows[1] + lane), Pack::load(rows[2] + lane)};
+}
+
+HWY_INLINE Mask aslant(const ContactPoints& points, const Axis& axis, std::size_t first,
+                       float least_sine) {
+    Pack3 other;
+    Pack spare;
+    hn::LoadInterleaved4(Tag(), reinterpret_cast<const float*>(points.direction.data() + first),
+                         other.x.v, other.y.v, other.z.v, spare.v);
+    const Pack3 n = cross(broadcast(axis.direction), other);
+    return {hn::Not((dot(n, n) < Pack(least_sine * least_sine)).m)};
+}
+
+/// Where two lines are nearest to each other, operation by operation as in axis_contact(): the same
+/// bits, whichever of the two comes first there, since that turns signs alone. Both places must be
+/// between the ends, and no farther apart than two surfaces reach.
+HWY_INLINE Mask nearest_between_ends(const AxisBunch& others, const Axis& axis, std::size_t lane) {
+    const Pack zero(0.f), one(1.f);
+    const Pack3 d = broadcast(axis.way), e = load(others.way, lane), b = load(others.x, lane),
+                r = broadcast(axis.x) - b;
+    const Pack dd = dot(d, d), ee = dot(e, e), de = dot(d, e), dr = dot(d, r), er = dot(e, r);
+    const Pack det = dd * ee - de * de;
+    const Pack s = (de * er - ee * dr) / det, t = (dd * er - de * dr) / det;
+    const auto inside = [&](Pack x) { return both(x > zero, x < one); };
+    const Mask between = both(det > zero, both(inside(s), inside(t)));
+    const Pack3 gap = (b + e * t) - (broadcast(axis.x) + d * s);
+    const Pack reach = Pack(axis.widest + kRodMargin) + Pack::load(others.widest + lane);
+    return both(between, dot(gap, gap) <= reach * reach);
+}
+
+std::size_t near(const ContactPoints& points, const AxisBunch* axes, std::uint32_t rank,
+                 float least_sine, std::span<const std::uint32_t> bunches, std::uint32_t* others) {
+    const Axis axis(points, axes, rank);
+    std::size_t count = 0;
+    for (const std::uint32_t bunch : bunches)
+        for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
+            const AxisBunch& there = axes[bunch];
+            const Mask overlaps = overlap(there.boxes, lane, axis.box);
+            if (none(overlaps))
+                continue;
+            const Mask meets = both(overlaps, nearest_between_ends(there, axis, lane));
+            if (none(meets))
+                continue;
+            const std::size_t first = bunch * kLanes + lane;
+            for (std::uint32_t bits = bits_of(both(meets, aslant(points, axis, first, least_sine)));
+                 bits != 0; bits &= bits - 1)
+                others[count++] =
+                    static_cast<std::uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+        }
+    return count;
+}
+
+AxisSearch axis_search() {
+    return {near};
+}
+
+} // namespace mane::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "base/instruction_set.h"
+
+namespace mane {
+
+HWY_EXPORT(axis_search);
+
+AxisSearch axis_search_for(const std::string& name) {
+    const ChosenInstructionSet chosen(instruction_set(name));
+    return HWY_DYNAMIC_DISPATCH(axis_search)();
+}
+
+void AxisBunch::clear() {
+    *this = {};
+    boxes.clear();
+}
+
+void AxisBunch::set(const ContactPoints& points, std::uint32_t rank) {
+    const std::size_t lane = rank % kLanes;
+    const Vec3 from = first_three(points.position[rank]),
+               to = first_three(points.position[points.order.next(rank)]) - from;
+    boxes.set(lane, segment_box(points, rank));
+    x[0][lane] = from.x, x[1][lane] = from.y, x[2][lane] = from.z;
+    way[0][lane] = to.x, way[1][lane] = to.y, way[2][lane] = to.z;
+    widest[lane] = mane::widest(points, rank);
+}
+
+} // namespace mane
+#endif

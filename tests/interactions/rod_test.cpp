@@ -1,0 +1,172 @@
+/// What rods and the search for axes pass over, they pass over rightly: bent wisps in a tangle,
+/// each segment asked about all points and all axes.
+
+#include "interactions/axis_search.h"
+#include "interactions/axis_test.h"
+#include "interactions/contact_geometry.h"
+#include "interactions/point_test.h"
+#include "interactions/toy_hair.h"
+#include "model/section_frames.h"
+#include "reference/random_numbers.h"
+
+#include "mane/error.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numeric>
+
+using namespace mane;
+
+namespace {
+
+constexpr float kLeastSine = 0.17f;
+
+template <typename Search, typename Make> std::vector<Search> on_all_sets(Make&& make) {
+    std::vector<Search> searches;
+    for (const char* name : {"avx512", "avx2", "sse4", "neon", "scalar"}) {
+        try {
+            searches.push_back(make(name));
+        } catch (const InputError&) {
+            MESSAGE("skipped: no " << std::string(name) << " on this machine");
+        }
+    }
+    return searches;
+}
+
+/// Wisps of 3 cm segments within 4 cm, each bent by up to 120° at its sections, with radii
+/// of 0.5 to 5 mm, some round, some flat.
+test::ToyHair tangle(std::uint32_t k, reference::RandomNumbers& random) {
+    constexpr float kSegment = 0.03f;
+    std::vector<std::vector<Vec3>> wisps;
+    for (int w = 0; w < 60; ++w) {
+        Vec3 x(random.vector(0.04)), way(random.direction());
+        wisps.push_back({x});
+        const double bend = random.between(0, 1.7);
+        for (int i = 0; i < 5; ++i) {
+            wisps.back().push_back(x += way * kSegment);
+            way = normalized(way + Vec3(random.direction()) * static_cast<float>(bend));
+        }
+    }
+    test::ToyHair hair(wisps, k, 0.01f);
+    for (std::uint32_t w = 0; w < hair.groom.wisp_count(); ++w) {
+        std::vector<SectionFrame<float>> frames(wisps[w].size());
+        const Vec3d way(normalized(wisps[w][1] - wisps[w][0]));
+        const double size = random.around(1e-3, 5e-3), flat = random.between(0.5, 1);
+        section_frames<float>(wisps[w], Vec3(random.across(way)), frames);
+        for (std::uint32_t i = 0; i < frames.size(); ++i) {
+            const Slot slot = hair.slot(w, i);
+            hair.frames.u.set(slot, frames[i].u);
+            hair.frames.v.set(slot, frames[i].v);
+            hair.frames.normal.set(slot, frames[i].normal);
+            for (std::uint32_t line = 0; line < k; ++line)
+                hair.state.radius.at(slot, line) =
+                    static_cast<float>(size * random.between(flat, 1));
+        }
+    }
+    return hair;
+}
+
+std::vector<std::uint32_t> all_bunches(const ContactPoints& points) {
+    std::vector<std::uint32_t> bunches(points.bunches());
+    std::iota(bunches.begin(), bunches.end(), 0u);
+    return bunches;
+}
+
+std::vector<std::uint32_t> segments(const ContactPoints& points) {
+    std::vector<std::uint32_t> ranks;
+    for (std::uint32_t r = 0; r < points.order.size(); ++r)
+        if (points.order.next(r) != ContactOrder::kNone)
+            ranks.push_back(r);
+    return ranks;
+}
+
+} // namespace
+
+TEST_CASE("a segment's rod holds its volume, however its planes lean") {
+    reference::RandomNumbers random(3);
+    const auto tests =
+        on_all_sets<PointTest>([](const char* name) { return point_test_for(name); });
+    std::size_t inside = 0, in_thinner = 0;
+    for (std::uint32_t k = 3; k <= kMaxEnvelopePoints; ++k) {
+        const test::ToyHair hair = tangle(k, random);
+        Threads threads(1);
+        ContactGeometry geometry;
+        geometry.take(hair.view(), threads);
+        const ContactPoints& points = geometry.points();
+        const std::vector<std::uint32_t> bunches = all_bunches(points);
+        for (const std::uint32_t rank : segments(points))
+            for (const PointTest& test : tests) {
+                PointsInside all, held, thinner;
+                Rod rod = volume_rod(points, rank);
+                test.find(points, rank, kEverywhere, bunches, all);
+                test.find(points, rank, rod, bunches, held);
+                rod.radius *= 0.9f;
+                test.find(points, rank, rod, bunches, thinner);
+                REQUIRE(held.count == all.count);
+                CHECK(std::equal(all.point.begin(),
+                                 all.point.begin() + static_cast<std::ptrdiff_t>(all.count),
+                                 held.point.begin()));
+                inside += all.count;
+                in_thinner += thinner.count;
+            }
+    }
+    CHECK(inside > 1000);
+    CHECK(in_thinner < inside);
+}
+
+TEST_CASE("the search for axes leaves out no contact, for any instruction set and K") {
+    reference::RandomNumbers random(4);
+    const auto searches =
+        on_all_sets<AxisSearch>([](const char* name) { return axis_search_for(name); });
+    std::size_t contacts = 0, candidates = 0, missed_by_thinner = 0;
+    for (std::uint32_t k = 3; k <= kMaxEnvelopePoints; ++k) {
+        const test::ToyHair hair = tangle(k, random);
+        Threads threads(1);
+        ContactGeometry geometry;
+        geometry.take(hair.view(), threads);
+        const ContactPoints& points = geometry.points();
+        const std::vector<std::uint32_t> bunches = all_bunches(points), ranks = segments(points);
+        AlignedVector<AxisBunch> axes(points.bunches());
+        for (AxisBunch& bunch : axes)
+            bunch.clear();
+        for (const std::uint32_t rank : ranks)
+            axes[rank / kLanes].set(points, rank);
+        AlignedVector<AxisBunch> thinner = axes;
+        for (AxisBunch& bunch : thinner)
+            for (float& widest : bunch.widest)
+                widest *= 0.5f;
+
+        for (const std::uint32_t rank : ranks) {
+            const auto direction = [&](std::uint32_t r) {
+                return Vec3d(first_three(points.direction[r]));
+            };
+            std::vector<std::uint32_t> met;
+            for (const std::uint32_t other : ranks)
+                if (segment_box(points, rank).overlaps(segment_box(points, other)) &&
+                    length(cross(direction(rank), direction(other))) > double{kLeastSine} + 1e-6 &&
+                    axis_contact(points, std::min(rank, other), std::max(rank, other)))
+                    met.push_back(other);
+            std::vector<std::uint32_t> first;
+            for (const AxisSearch& search : searches) {
+                std::vector<std::uint32_t> found(points.padded_ranks());
+                const auto ask = [&](const AlignedVector<AxisBunch>& among) {
+                    found.resize(points.padded_ranks());
+                    found.resize(
+                        search.near(points, among.data(), rank, kLeastSine, bunches, found.data()));
+                    return std::includes(found.begin(), found.end(), met.begin(), met.end());
+                };
+                missed_by_thinner += !ask(thinner);
+                CHECK(ask(axes));
+                if (first.empty())
+                    first = found;
+                CHECK(found == first);
+            }
+            contacts += met.size();
+            candidates += first.size();
+        }
+    }
+    CHECK(contacts > 500);
+    CHECK(candidates < 3 * contacts);
+    CHECK(missed_by_thinner > 0);
+}
