@@ -106,8 +106,7 @@ void AxisBunch::clear() {
 
 void AxisBunch::set(const ContactPoints& points, std::uint32_t rank) {
     const std::size_t lane = rank % kLanes;
-    const Vec3 from = first_three(points.position[rank]),
-               to = first_three(points.position[points.order.next(rank)]) - from;
+    const Vec3 from = points.shape[rank].x, to = points.shape[points.order.next(rank)].x - from;
     boxes.set(lane, segment_box(points, rank));
     x[0][lane] = from.x, x[1][lane] = from.y, x[2][lane] = from.z;
     way[0][lane] = to.x, way[1][lane] = to.y, way[2][lane] = to.z;

@@ -27,10 +27,10 @@ ClosestPoints closest_points(const Vec3& a0, const Vec3& a1, const Vec3& b0, con
 /// half lines, or their like for other K (M14a). The sector of (a, b) is the one in which both
 /// coordinates along its two half lines are not negative; the largest smaller coordinate finds it
 /// without branches on signs of zeros.
-float squared_depth(const ContactPoints& points, std::uint32_t rank, float a, float b) {
+float squared_depth(const ContactPoints& points, const SectionShape& section, float a, float b) {
     const std::uint32_t k_count = points.per_section - 1;
     const auto radius = [&](std::uint32_t line) {
-        return std::max(points.radius[points.place(rank, line + 1)], kSmallestRadius);
+        return std::max(section.radius[line], kSmallestRadius);
     };
     if (k_count == 4) { // the paper's four: the signs tell the quadrant
         const float p = a / radius(a < 0 ? 2 : 0), q = b / radius(b < 0 ? 3 : 1);
@@ -55,43 +55,46 @@ float squared_depth(const ContactPoints& points, std::uint32_t rank, float a, fl
 }
 
 /// The radius of a section in a direction's part in the section.
-float radius_toward(const ContactPoints& points, std::uint32_t rank, const Vec3& way) {
-    const float a = dot(way, first_three(points.half_line[points.place(rank, 1)])),
-                b = dot(way, first_three(points.second_axis[rank]));
-    const float d2 = squared_depth(points, rank, a, b);
+float radius_of(const ContactPoints& points, const SectionShape& section, const Vec3& way) {
+    const float a = dot(way, section.u), b = dot(way, section.v);
+    const float d2 = squared_depth(points, section, a, b);
     return d2 > 0 ? std::sqrt((a * a + b * b) / d2) : 0.f;
 }
 
-float density_at(const ContactPoints& points, std::uint32_t rank, std::uint32_t next, float s) {
-    const auto at_s = [&](const AlignedVector<float>& x) {
-        return x[rank] + (x[next] - x[rank]) * s;
-    };
-    return std::min(at_s(points.rest_area) / std::max(at_s(points.area), 1e-12f), 10.f);
-}
+/// A segment by its two sections.
+struct Segment {
+    const SectionShape &near, &far;
+
+    Segment(const ContactPoints& points, std::uint32_t rank)
+        : near(points.shape[rank]), far(points.shape[points.order.next(rank)]) {}
+
+    Vec3 at(float s) const { return near.x + (far.x - near.x) * s; }
+    float radius_toward(const ContactPoints& points, float s, const Vec3& way) const {
+        return radius_of(points, near, way) * (1 - s) + radius_of(points, far, way) * s;
+    }
+    float density_at(float s) const {
+        const auto mixed = [s](float a, float b) { return a + (b - a) * s; };
+        return std::min(mixed(near.rest_area, far.rest_area) /
+                            std::max(mixed(near.area, far.area), 1e-12f),
+                        10.f);
+    }
+};
 
 } // namespace
 
 std::optional<AxisContact> axis_contact(const ContactPoints& points, std::uint32_t first,
                                         std::uint32_t second) {
-    const std::uint32_t first_end = points.order.next(first),
-                        second_end = points.order.next(second);
-    const auto position = [&](std::uint32_t rank) { return first_three(points.position[rank]); };
-    const Vec3 a0 = position(first), a1 = position(first_end), b0 = position(second),
-               b1 = position(second_end);
-    const ClosestPoints c = closest_points(a0, a1, b0, b1);
+    const Segment a(points, first), b(points, second);
+    const ClosestPoints c = closest_points(a.near.x, a.far.x, b.near.x, b.far.x);
     if (!c.inside)
         return {};
-    const Vec3 gap = (b0 + (b1 - b0) * c.t) - (a0 + (a1 - a0) * c.s);
-    const auto reach = [&](std::uint32_t rank, std::uint32_t end, float s, const Vec3& way) {
-        return radius_toward(points, rank, way) * (1 - s) + radius_toward(points, end, way) * s;
-    };
-    const float touching = reach(first, first_end, c.s, gap) + reach(second, second_end, c.t, -gap);
+    const Vec3 gap = b.at(c.t) - a.at(c.s);
+    const float touching = a.radius_toward(points, c.s, gap) + b.radius_toward(points, c.t, -gap);
     const float distance = length(gap);
     if (distance > touching)
         return {};
     // Axes that meet in a point leave no way toward each other.
-    return AxisContact{c.s, c.t, touching > 0 ? distance / touching : 0.f,
-                       density_at(points, second, second_end, c.t)};
+    return AxisContact{c.s, c.t, touching > 0 ? distance / touching : 0.f, b.density_at(c.t)};
 }
 
 } // namespace mane

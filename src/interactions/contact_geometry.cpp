@@ -39,7 +39,7 @@ void ContactGeometry::take_velocities(const HairView& hair, Threads& threads) {
 
 void ContactGeometry::change_design(const Groom& groom) {
     for (std::uint32_t r = 0; r < points_.order.size(); ++r)
-        points_.rest_area[r] = designed_area(groom, points_.order.section(r));
+        points_.shape[r].rest_area = designed_area(groom, points_.order.section(r));
 }
 
 void ContactGeometry::add_to(State& state, const Layout& layout, const SectionMotion& change,

@@ -25,8 +25,19 @@ class RowLanes {
     HWY_INLINE void put(Pack3 v, AlignedVector<Four>& target) const {
         put(v, [&](std::uint32_t rank) -> Four& { return target[rank]; });
     }
-    HWY_INLINE void put(Pack x, AlignedVector<float>& target) const {
-        put(x, [&](std::uint32_t rank) -> float& { return target[rank]; });
+    /// Writes a part of a section's shape.
+    HWY_INLINE void put(Pack3 v, Vec3 SectionShape::*part) const {
+        alignas(64) Four lanes[kPackLanes];
+        interleave(v, lanes);
+        for (std::size_t lane = 0; lane < kPackLanes; ++lane)
+            if (rank_[lane] != ContactOrder::kNone)
+                points_.shape[rank_[lane]].*part = first_three(lanes[lane]);
+    }
+    HWY_INLINE void put(Pack x, float SectionShape::*part) const {
+        put(x, [&](std::uint32_t rank) -> float& { return points_.shape[rank].*part; });
+    }
+    HWY_INLINE void put_radius(std::size_t k, Pack r) const {
+        put(r, [&](std::uint32_t rank) -> float& { return points_.shape[rank].radius[k]; });
     }
     /// Writes one of a section's points.
     HWY_INLINE void put_point(std::uint32_t code, Pack3 v, AlignedVector<Four>& target) const {
@@ -42,10 +53,13 @@ class RowLanes {
     }
 
   private:
-    template <typename Where> HWY_INLINE void put(Pack3 v, Where&& where) const {
-        alignas(64) Four lanes[kPackLanes];
+    static HWY_INLINE void interleave(Pack3 v, Four* lanes) {
         hn::StoreInterleaved4(v.x.v, v.y.v, v.z.v, Pack(0.f).v, Tag(),
                               reinterpret_cast<float*>(lanes));
+    }
+    template <typename Where> HWY_INLINE void put(Pack3 v, Where&& where) const {
+        alignas(64) Four lanes[kPackLanes];
+        interleave(v, lanes);
         for (std::size_t lane = 0; lane < kPackLanes; ++lane)
             if (rank_[lane] != ContactOrder::kNone)
                 where(rank_[lane]) = lanes[lane];
@@ -85,9 +99,11 @@ HWY_INLINE void take_row(const HairView& hair, ContactPoints& points, std::size_
     const auto radius = [&](std::size_t k) {
         return Pack::load(hair.state.radius.row(row) + k * kLanes + lane);
     };
-    lanes.put(x, points.position);
+    lanes.put(x, &SectionShape::x);
+    lanes.put(n, &SectionShape::normal);
+    lanes.put(u, &SectionShape::u);
+    lanes.put(v, &SectionShape::v);
     lanes.put(n, points.normal);
-    lanes.put(v, points.second_axis);
     if (!in_head)
         lanes.put_place(0, x);
     Pack largest(0.f), area(0.f);
@@ -95,7 +111,7 @@ HWY_INLINE void take_row(const HairView& hair, ContactPoints& points, std::size_
         const Pack r = radius(k), next = radius(k + 1 < hair.half_lines.size() ? k + 1 : 0);
         const Pack3 d = half_line(hair.half_lines[k], u, v);
         lanes.put_point(k + 1, d, points.half_line);
-        lanes.put_point(k + 1, r, points.radius);
+        lanes.put_radius(k, r);
         if (!in_head)
             lanes.put_place(k + 1, x + d * r);
         largest = larger(largest, r);
@@ -104,8 +120,8 @@ HWY_INLINE void take_row(const HairView& hair, ContactPoints& points, std::size_
     const Pack3 extent = disc_extent(n, largest);
     lanes.put(x - extent, points.low);
     lanes.put(x + extent, points.high);
-    lanes.put(area, points.area);
-    lanes.put(largest, points.largest);
+    lanes.put(area, &SectionShape::area);
+    lanes.put(largest, &SectionShape::largest);
 }
 
 void find_directions(ContactPoints& points, std::size_t first, std::size_t last) {
@@ -114,12 +130,12 @@ void find_directions(ContactPoints& points, std::size_t first, std::size_t last)
         const std::uint32_t next = points.order.next(rank);
         if (next == ContactOrder::kNone)
             continue;
-        const Vec3 axis = first_three(points.position[next]) - first_three(points.position[rank]);
+        const SectionShape &from = points.shape[rank], &to = points.shape[next];
+        const Vec3 axis = to.x - from.x;
         points.direction[rank] = four(normalized(axis));
         float radii = 0;
-        for (std::uint32_t code = 1; code < points.per_section; ++code)
-            radii +=
-                points.radius[points.place(rank, code)] + points.radius[points.place(next, code)];
+        for (std::uint32_t k = 0; k + 1 < points.per_section; ++k)
+            radii += from.radius[k] + to.radius[k];
         points.slenderness[rank] =
             length(axis) * static_cast<float>(points.per_section - 1) / std::max(radii, 1e-6f);
     }
@@ -278,21 +294,19 @@ ContactPoints contact_points(const HairView& hair) {
     if (p.half_lines[1].cosine < 0)
         p.bulge = 1 / p.half_lines[1].sine;
     const std::size_t ranks = p.order.size();
+    p.shape.assign(p.padded_ranks(), {});
     for (std::uint32_t r = 0; r < ranks; ++r) {
         const std::uint32_t section = p.order.section(r);
-        p.rest_area.push_back(designed_area(groom, section));
+        p.shape[r].rest_area = designed_area(groom, section);
         p.wisp.push_back(hair.layout.wisp_of(section));
         p.held.push_back(hair.layout.simulated(section) ? 0 : 1);
     }
     p.motion.resize(p.padded_ranks(), groom.envelope_points);
-    for (AlignedVector<Four>* per_rank :
-         {&p.position, &p.normal, &p.second_axis, &p.low, &p.high, &p.direction})
+    for (AlignedVector<Four>* per_rank : {&p.normal, &p.low, &p.high, &p.direction})
         per_rank->assign(p.padded_ranks(), Four{});
-    for (AlignedVector<float>* per_rank : {&p.area, &p.largest, &p.slenderness})
-        per_rank->assign(p.padded_ranks(), 0.f);
+    p.slenderness.assign(p.padded_ranks(), 0.f);
     for (AlignedVector<float>* per_place : {&p.x, &p.y, &p.z})
         per_place->assign(p.places(), kFarAway);
-    p.radius.assign(p.places(), 0.f);
     p.half_line.assign(p.places(), Four{});
     p.velocity.assign(p.places(), Four{});
     return p;

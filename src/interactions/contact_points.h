@@ -25,6 +25,16 @@ struct SectionMotion {
     }
 };
 
+/// A cross-section at a detection block's beginning: all that is asked of it where something may
+/// lie in its surface, in two lines of the cache; where K is 4, most of it in the first.
+struct alignas(64) SectionShape {
+    Vec3 x;            ///< [m] of the skeleton point
+    Vec3 normal, u, v; ///< its own axes; u is half line 0
+    float radius[kMaxEnvelopePoints];
+    float area, rest_area; ///< Σ r_k r_{k+1} [m²], now and in the design
+    float largest;         ///< [m] radius
+};
+
 /// All points of the hair that can be in contact, by rank (ContactOrder). Sixteen ranks are a
 /// *bunch*: their points lie side by side, first the sixteen skeleton points, then the sixteen
 /// first envelope points and so on, so that one vector operation asks something of sixteen. A
@@ -36,21 +46,17 @@ struct ContactPoints {
     std::uint32_t per_section = 0;    ///< K + 1
     std::vector<HalfLine> half_lines; ///< in a section's own axes
     float bulge = 1; ///< of its largest radius, the farthest that the surface is from the skeleton
-    AlignedVector<float> rest_area;  ///< per rank: Σ r_k r_{k+1} of the design
     std::vector<std::uint32_t> wisp; ///< per rank
     std::vector<std::uint8_t> held;  ///< per rank: by the head (x₀ and x₁)
 
     // of a block
-    AlignedVector<Four> position, normal; ///< per rank
-    AlignedVector<Four> second_axis;      ///< per rank: v of the section's axes; u is half line 0
-    AlignedVector<Four> low, high;        ///< per rank: corners of the box of its largest disc
-    AlignedVector<float> area;            ///< per rank: Σ r_k r_{k+1}
-    AlignedVector<float> largest;         ///< per rank: radius
-    AlignedVector<Four> direction;        ///< per rank: of the segment that begins there
-    AlignedVector<float> slenderness;     ///< its length in mean diameters
-    AlignedVector<float> x, y, z;  ///< per place; far away where there is no point, and of x₀
-    AlignedVector<float> radius;   ///< per place of an envelope point
-    AlignedVector<Four> half_line; ///< per place; zero but for envelope points
+    AlignedVector<SectionShape> shape; ///< per rank
+    AlignedVector<Four> normal;        ///< per rank
+    AlignedVector<Four> low, high;     ///< per rank: corners of the box of its largest disc
+    AlignedVector<Four> direction;     ///< per rank: of the segment that begins there
+    AlignedVector<float> slenderness;  ///< its length in mean diameters
+    AlignedVector<float> x, y, z;      ///< per place; far away where there is no point, and of x₀
+    AlignedVector<Four> half_line;     ///< per place; zero but for envelope points
 
     // of a step
     SectionMotion motion;

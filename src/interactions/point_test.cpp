@@ -26,30 +26,15 @@ HWY_INLINE Mask in_rod(const Rod& rod, const Pack3& p) {
     return dot(off, off) <= Pack(rod.radius * rod.radius);
 }
 
-/// One end of a segment's volume.
-struct VolumeEnd {
-    Vec3 x, normal, u, v;
-    float radius[kMaxEnvelopePoints];
-    float area, rest_area;
-
-    VolumeEnd(const ContactPoints& points, std::uint32_t rank)
-        : x(first_three(points.position[rank])), normal(first_three(points.normal[rank])),
-          u(first_three(points.half_line[points.place(rank, 1)])),
-          v(first_three(points.second_axis[rank])), area(points.area[rank]),
-          rest_area(points.rest_area[rank]) {
-        for (std::uint32_t code = 1; code < points.per_section; ++code)
-            radius[code - 1] = points.radius[points.place(rank, code)];
-    }
-};
 /// The volume between two cross-sections, inside its box (M21).
 struct SegmentVolume {
-    VolumeEnd end[2];
+    const SectionShape &near, &far;
     Box box;
     Rod rod;
 
     SegmentVolume(const ContactPoints& points, std::uint32_t rank, const Rod& held_by)
-        : end{{points, rank}, {points, points.order.next(rank)}}, box(segment_box(points, rank)),
-          rod(held_by) {}
+        : near(points.shape[rank]), far(points.shape[points.order.next(rank)]),
+          box(segment_box(points, rank)), rod(held_by) {}
 };
 
 HWY_INLINE Pack mixed(float a, float b, Pack s) {
@@ -59,7 +44,7 @@ HWY_INLINE Pack3 mixed(const Vec3& a, const Vec3& b, Pack s) {
     return {mixed(a.x, b.x, s), mixed(a.y, b.y, s), mixed(a.z, b.z, s)};
 }
 HWY_INLINE Pack radius_at(const SegmentVolume& v, std::size_t k, Pack s) {
-    return larger(mixed(v.end[0].radius[k], v.end[1].radius[k], s), Pack(kSmallestRadius));
+    return larger(mixed(v.near.radius[k], v.far.radius[k], s), Pack(kSmallestRadius));
 }
 
 /// The square of the depth of section coordinates (a, b) at s (M14a).
@@ -97,7 +82,7 @@ struct Inside {
 };
 HWY_INLINE Inside inside(const SegmentVolume& volume, const std::vector<HalfLine>& half_lines,
                          const Pack3& p, Mask boxed) {
-    const VolumeEnd &a = volume.end[0], &b = volume.end[1];
+    const SectionShape &a = volume.near, &b = volume.far;
     const Pack h0 = dot(p - broadcast(a.x), broadcast(a.normal)),
                h1 = dot(broadcast(b.x) - p, broadcast(b.normal));
     // Where the planes cross inside the wisp, both distances are negative between them.
@@ -123,7 +108,7 @@ HWY_INLINE Inside inside(const SegmentVolume& volume, const std::vector<HalfLine
 /// A section squeezed flat is not infinitely dense: strands fill at most a few times their share of
 /// space.
 HWY_INLINE Pack density_at(const SegmentVolume& volume, Pack s) {
-    const VolumeEnd &a = volume.end[0], &b = volume.end[1];
+    const SectionShape &a = volume.near, &b = volume.far;
     return smaller(mixed(a.rest_area, b.rest_area, s) /
                        larger(mixed(a.area, b.area, s), Pack(1e-12f)),
                    Pack(10.f));

@@ -269,7 +269,7 @@ void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& f
 /// Ours, beyond the paper's footnote: the axes that cross that of a slender segment.
 void WispDetection::find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                               Found& found, Scratch& scratch) const {
-    const Rod rod{first_three(points.position[rank]), first_three(points.direction[rank]),
+    const Rod rod{points.shape[rank].x, first_three(points.direction[rank]),
                   widest(points, rank) + widest_ + kRodMargin};
     const std::size_t bunches = point_test_.among(scratch.near_axes, segment_box(points, rank), rod,
                                                   scratch.bunches.data()),

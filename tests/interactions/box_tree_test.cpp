@@ -160,7 +160,7 @@ double depth_in_upright(const ContactPoints& points, std::uint32_t rank, const V
     const std::uint32_t next = points.order.next(rank), k = points.per_section - 1;
     const auto axis = [&](const Four& d) { return Vec3d(first_three(d)); };
     const double a = dot(Vec3d(p), axis(points.half_line[points.place(rank, 1)])),
-                 b = dot(Vec3d(p), axis(points.second_axis[rank])), s = double{p.y} / 0.1;
+                 b = dot(Vec3d(p), Vec3d(points.shape[rank].v)), s = double{p.y} / 0.1;
     const std::vector<HalfLine>& lines = points.half_lines;
     double best = -1, squared = 0;
     for (std::uint32_t i = 0; i < k; ++i) {
@@ -169,8 +169,7 @@ double depth_in_upright(const ContactPoints& points, std::uint32_t rank, const V
         const double alpha = (a * e.sine - b * e.cosine) / sine,
                      beta = (d.cosine * b - d.sine * a) / sine;
         const auto radius = [&](std::uint32_t j) {
-            return points.radius[points.place(rank, j + 1)] * (1 - s) +
-                   points.radius[points.place(next, j + 1)] * s;
+            return points.shape[rank].radius[j] * (1 - s) + points.shape[next].radius[j] * s;
         };
         const double u = alpha / radius(i), v = beta / radius((i + 1) % k);
         if (std::min(alpha, beta) > best) {
