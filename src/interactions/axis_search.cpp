@@ -7,6 +7,7 @@
 
 #include "interactions/box_search-inl.h"
 #include "interactions/point_test.h"
+#include "interactions/rod.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
@@ -41,19 +42,21 @@ HWY_INLINE Mask aslant(const ContactPoints& points, const Axis& axis, std::size_
     return {hn::Not((dot(n, n) < Pack(least_sine * least_sine)).m)};
 }
 
-/// Where two lines are nearest to each other, operation by operation as in axis_contact(): the same
-/// bits, whichever of the two comes first there, since that turns signs alone. Both places must be
-/// between the ends, and no farther apart than two surfaces reach.
+/// Where two lines are nearest to each other, as axis_contact() has it: between both axes' ends,
+/// and no farther apart than two surfaces reach. Sums of products as there, to the bit, whichever
+/// of the two comes first there (that turns signs alone); places that its division rounds to an end
+/// are let through.
 HWY_INLINE Mask nearest_between_ends(const AxisBunch& others, const Axis& axis, std::size_t lane) {
-    const Pack zero(0.f), one(1.f);
+    const Pack zero(0.f);
     const Pack3 d = broadcast(axis.way), e = load(others.way, lane), b = load(others.x, lane),
                 r = broadcast(axis.x) - b;
     const Pack dd = dot(d, d), ee = dot(e, e), de = dot(d, e), dr = dot(d, r), er = dot(e, r);
-    const Pack det = dd * ee - de * de;
-    const Pack s = (de * er - ee * dr) / det, t = (dd * er - de * dr) / det;
-    const auto inside = [&](Pack x) { return both(x > zero, x < one); };
-    const Mask between = both(det > zero, both(inside(s), inside(t)));
-    const Pack3 gap = (b + e * t) - (broadcast(axis.x) + d * s);
+    const Pack det = dd * ee - de * de, s = de * er - ee * dr, t = dd * er - de * dr;
+    const Mask between = both(both(s > zero, s <= det), both(both(t > zero, t <= det), det > zero));
+    if (none(between))
+        return between;
+    const Pack by = Pack(1.f) / det;
+    const Pack3 gap = (b + e * (t * by)) - (broadcast(axis.x) + d * (s * by));
     const Pack reach = Pack(axis.widest + kRodMargin) + Pack::load(others.widest + lane);
     return both(between, dot(gap, gap) <= reach * reach);
 }

@@ -161,15 +161,12 @@ void gather(const BoxTree& tree, const Box& box, NearBoxes& near) {
     });
 }
 
-std::size_t among(const NearBoxes& near, const Box& box, const Rod& rod, std::uint32_t* items) {
-    const RodView view(rod);
+std::size_t among(const NearBoxes& near, const Box& box, std::uint32_t* items) {
     std::size_t count = 0;
-    for (std::size_t first = 0; first < near.items.size(); first += kLanes) {
-        const BoxTree::Node& node = near.nodes[first / kLanes];
-        for (std::uint32_t bits = children_in(node, box) & view.children(node); bits != 0;
+    for (std::size_t first = 0; first < near.items.size(); first += kLanes)
+        for (std::uint32_t bits = children_in(near.nodes[first / kLanes], box); bits != 0;
              bits &= bits - 1)
             items[count++] = near.items[first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
-    }
     return count;
 }
 

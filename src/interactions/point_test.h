@@ -54,10 +54,9 @@ struct PointTest {
     void (*hulls)(const ContactPoints& points, Box* hulls, std::size_t first, std::size_t last);
     /// Gathers the boxes that overlap `box`.
     void (*gather)(const BoxTree& tree, const Box& box, NearBoxes& near);
-    /// Writes the items of those that overlap a smaller box, but for some that a rod in it passes
-    /// by; there is room for all. Returns how many they are.
-    std::size_t (*among)(const NearBoxes& near, const Box& box, const Rod& rod,
-                         std::uint32_t* items);
+    /// Writes the items of those that overlap a smaller box; there is room for all. Returns how
+    /// many they are.
+    std::size_t (*among)(const NearBoxes& near, const Box& box, std::uint32_t* items);
     /// Appends the points of `bunches` inside the volume of the segment that begins at `rank`, but
     /// for its own two sections', in the order of bunches, codes and ranks. `rod` must hold the
     /// volume.

@@ -134,11 +134,8 @@ void WispDetection::place_axes(const ContactPoints& points, Threads& threads) {
     axes_.resize(points.bunches());
     for (AxisBunch& bunch : axes_)
         bunch.clear();
-    widest_ = 0;
-    for (const std::uint32_t rank : segments_) {
+    for (const std::uint32_t rank : segments_)
         axes_[rank / kLanes].set(points, rank);
-        widest_ = std::max(widest_, widest(points, rank));
-    }
     threads.run_ranges(hulls_.size(), kBunchesPerChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t b = first; b < last; ++b)
             hulls_[b] = axes_[b].boxes.hull();
@@ -199,12 +196,12 @@ void WispDetection::gather_near(const ContactPoints& points, std::size_t first, 
 void WispDetection::find_points(const ContactPoints& points, std::size_t index, Found& found,
                                 Scratch& scratch) {
     const std::uint32_t rank = segments_[index], segment = points.order.section(rank);
-    const Rod rod = volume_rod(points, rank);
     const std::size_t bunches =
-        point_test_.among(scratch.near, segment_box(points, rank), rod, scratch.bunches.data());
+        point_test_.among(scratch.near, segment_box(points, rank), scratch.bunches.data());
     PointsInside& inside = scratch.inside;
     inside.count = 0;
-    point_test_.find(points, rank, rod, {scratch.bunches.data(), bunches}, inside);
+    point_test_.find(points, rank, volume_rod(points, rank), {scratch.bunches.data(), bunches},
+                     inside);
     point_test_.classify(points, rank, limits_, inside);
 
     first_met_[index] = static_cast<std::uint32_t>(found.met.size());
@@ -269,13 +266,11 @@ void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& f
 /// Ours, beyond the paper's footnote: the axes that cross that of a slender segment.
 void WispDetection::find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                               Found& found, Scratch& scratch) const {
-    const Rod rod{points.shape[rank].x, first_three(points.direction[rank]),
-                  widest(points, rank) + widest_ + kRodMargin};
-    const std::size_t bunches = point_test_.among(scratch.near_axes, segment_box(points, rank), rod,
-                                                  scratch.bunches.data()),
-                      others = axis_search_.near(points, axes_.data(), rank, limits_.sine_fade,
-                                                 {scratch.bunches.data(), bunches},
-                                                 scratch.others.data());
+    const std::size_t bunches =
+        point_test_.among(scratch.near_axes, segment_box(points, rank), scratch.bunches.data());
+    const std::size_t others =
+        axis_search_.near(points, axes_.data(), rank, limits_.sine_fade,
+                          {scratch.bunches.data(), bunches}, scratch.others.data());
     for (std::size_t i = 0; i < others; ++i)
         find_axis(hair, points, rank, scratch.others[i], found);
 }

@@ -107,7 +107,6 @@ class WispDetection {
     BoxTree bunch_tree_;            ///< of the points of each bunch
     AlignedVector<AxisBunch> axes_; ///< per bunch; where any is slender
     BoxTree axes_tree_;             ///< of their boxes
-    float widest_ = 0;              ///< [m] of them
     bool any_slender_ = false;
 
     std::vector<Found> chunks_;
