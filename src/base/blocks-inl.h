@@ -27,10 +27,10 @@ struct Blocks {
         return {base[at[0]]};
     }
     static HWY_INLINE Blocks every(const Four* p, std::size_t) { return {*p}; }
-    static HWY_INLINE Blocks each(const float* four, std::size_t part) {
-        return {mane::four(four[part])};
-    }
     template <int kPlace> HWY_INLINE Blocks all() const { return {four(v[kPlace])}; }
+    template <int kPlaces> HWY_INLINE Blocks turned() const {
+        return {Four{v[kPlaces], v[(kPlaces + 1) % 3], v[(kPlaces + 2) % 3], v[3]}};
+    }
     HWY_INLINE void store(Four* p) const { *p = v; }
 };
 HWY_INLINE Blocks operator+(Blocks a, Blocks b) {
@@ -80,20 +80,16 @@ struct Blocks {
     static HWY_INLINE Blocks pick(const Four* base, const std::uint32_t* at) {
         return {fetch(Tag(), base, at)};
     }
-    /// Of four numbers (aligned), those of the blocks of a part of FourBlocks: each in all places
-    /// of its block.
-    static HWY_INLINE Blocks each(const float* four, std::size_t part) {
-        if constexpr (kCount == 1) {
-            return {hn::Set(Tag(), four[part])};
-        } else {
-            alignas(64) static constexpr std::int32_t kBlock[16] = {0, 0, 0, 0, 1, 1, 1, 1,
-                                                                    2, 2, 2, 2, 3, 3, 3, 3};
-            return {hn::TableLookupLanes(hn::LoadDup128(Tag(), four),
-                                         hn::SetTableIndices(Tag(), kBlock + part * kPackLanes))};
-        }
-    }
     /// In every block, one of its numbers in all places.
     template <int kPlace> HWY_INLINE Blocks all() const { return {hn::Broadcast<kPlace>(v)}; }
+    /// In every block, the first three in a ring, so many places on: y, z, x or z, x, y.
+    template <int kPlaces> HWY_INLINE Blocks turned() const {
+        constexpr std::int32_t a = kPlaces, b = (a + 1) % 3, c = (a + 2) % 3;
+        alignas(64) static constexpr std::int32_t kFrom[16] = {
+            a,     b,     c,     3,  a + 4,  b + 4,  c + 4,  7, //
+            a + 8, b + 8, c + 8, 11, a + 12, b + 12, c + 12, 15};
+        return {hn::TableLookupLanes(v, hn::SetTableIndices(Tag(), kFrom))};
+    }
     HWY_INLINE void store(Four* p) const { hn::Store(v, Tag(), reinterpret_cast<float*>(p)); }
 };
 HWY_INLINE Blocks operator+(Blocks a, Blocks b) {

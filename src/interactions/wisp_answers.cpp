@@ -33,18 +33,19 @@ template <std::size_t N> class MatrixLanes {
     HWY_INLINE void add_point(Symmetrics<N>& w, R3& direction) {
         const std::uint32_t *section = a.rank.data() + slot_, *place = a.place.data() + slot_;
         direction = gather(p.normal, section);
-        half_line_ = gather(p.half_line, place);
+        const R3 half_line = gather(p.half_line, place);
         add_identity(w, R::gather(a.shared_across.data(), section, 1));
         add_outer(w, direction, R::gather(a.shared_extra.data(), section, 1));
-        add_outer(w, half_line_, R::gather(a.shared_envelope.data(), place, 1));
+        add_outer(w, half_line, R::gather(a.shared_envelope.data(), place, 1));
     }
 
     /// W of a segment, (1 − s)² and s² of its ends; 1 − s and s of an end whose other one is held
     /// (docs/model.md).
     HWY_INLINE void add_segment(Symmetrics<N>& w, const SegmentMatrices& segment) {
-        const R s = R::load(a.s.data() + slot_), rest = R(1.0) - s;
+        s_ = along_segment();
+        const R rest = R(1.0) - s_;
         add(w, segment.near, segment.far_held ? rest : rest * rest);
-        add(w, segment.far, segment.near_held ? s : s * s);
+        add(w, segment.far, segment.near_held ? s_ : s_ * s_);
     }
 
     /// Where only the envelope of a pinned section can give way, W has the direction of its half
@@ -61,16 +62,18 @@ template <std::size_t N> class MatrixLanes {
         if (!(drag > R(0.0)).none())
             add_viscosity(w, point, segment, trace * R(1.0 / 3), drag, a);
         const Symmetrics<N> m = inverse(w, trace, -R::load(a.weight.data() + slot_));
-        const R3 column[3] = {{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
-        for (std::size_t c = 0; c < 3; ++c)
-            R::store_fours(column[c].x, column[c].y, column[c].z, dot(half_line_, column[c]),
-                           a.matrix[c].data() + slot_);
+        R::store_fours(m.xx, m.yy, m.zz, s_, a.diagonal.data() + slot_);
+        R::store_fours(m.xy, m.yz, m.xz, R(0.0), a.beside.data() + slot_);
     }
 
     static HWY_INLINE R3 same(const Four& v) { return {double{v[0]}, double{v[1]}, double{v[2]}}; }
-    HWY_INLINE void no_half_line() { half_line_ = {0.0, 0.0, 0.0}; }
 
   private:
+    HWY_INLINE R along_segment() const {
+        static constexpr std::uint32_t kCounting[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+        return R::gather(reinterpret_cast<const float*>(a.diagonal.data() + slot_) + 3, kCounting,
+                         4);
+    }
     static HWY_INLINE R3 gather(const AlignedVector<Four>& x, const std::uint32_t* at) {
         const float* base = reinterpret_cast<const float*>(x.data());
         return {R::gather(base, at, 4), R::gather(base + 1, at, 4), R::gather(base + 2, at, 4)};
@@ -79,7 +82,7 @@ template <std::size_t N> class MatrixLanes {
     const ContactPoints& p;
     WispAnswers& a;
     std::size_t slot_;
-    R3 half_line_;
+    R s_; // along the segment
 };
 
 /// Inverse masses of a section as its contacts share them.
@@ -111,7 +114,6 @@ inline void find_axis_matrix(const ContactPoints& p, WispAnswers& a, std::size_t
     const AxisPoint& point = a.axis_points[a.place[slot] - p.places()];
     const double along = double{point.along}, rest = 1 - along;
     MatrixLanes<1> lanes(p, a, slot);
-    lanes.no_half_line();
     Symmetrics<1> w{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const std::uint32_t next = p.order.next(point.rank);
     add<1>(w, shared_matrix(p, a, point.rank), is_held(a, next) ? rest : rest * rest);
@@ -143,12 +145,12 @@ HWY_INLINE void find_four(const ContactPoints& p, WispAnswers& a, std::size_t sl
                           Blocks change, FourBlocks& sum, FourBlocks& sum_at_s) {
     for (std::size_t part = 0; part < FourBlocks::kParts; ++part) {
         const std::size_t at = slot + part * Blocks::kCount;
-        const Blocks s = Blocks::each(a.s.data() + slot, part);
+        const Blocks diagonal = Blocks::load(a.diagonal.data() + at), s = diagonal.all<3>(),
+                     beside = Blocks::load(a.beside.data() + at);
         const Blocks relative =
             Blocks::pick(p.velocity.data(), a.place.data() + at) - v - change * s;
-        const Blocks j = Blocks::load(a.matrix[0].data() + at) * relative.all<0>() +
-                         Blocks::load(a.matrix[1].data() + at) * relative.all<1>() +
-                         Blocks::load(a.matrix[2].data() + at) * relative.all<2>();
+        const Blocks j = diagonal * relative + beside * relative.turned<1>() +
+                         beside.turned<2>() * relative.turned<2>();
         j.store(a.impulse.data() + at);
         sum.part[part] = sum.part[part] + j;
         sum_at_s.part[part] = sum_at_s.part[part] + j * s;
@@ -176,42 +178,28 @@ void find_impulses(const ContactPoints& p, WispAnswers& a, std::size_t first, st
 template <int kFours> struct SectionImpulse {
     Four skeleton;
     Four along[kFours];
-
-    HWY_INLINE float on_envelope(std::uint32_t k) const { return along[k / 4][k % 4]; }
 };
-
-/// Four numbers of which one is 1: the envelope point of a code; none for a skeleton point.
-template <int kFours> HWY_INLINE const Four* point_of(std::uint32_t code) {
-    alignas(64) static constexpr Four kPoint[9][kFours] = {
-        {{0, 0, 0, 0}}, {{1, 0, 0, 0}}, {{0, 1, 0, 0}}, {{0, 0, 1, 0}}, {{0, 0, 0, 1}}};
-    return kPoint[code];
-}
-template <> HWY_INLINE const Four* point_of<2>(std::uint32_t code) {
-    alignas(64) static constexpr Four kPoint[9][2] = {
-        {{0, 0, 0, 0}, {0, 0, 0, 0}}, {{1, 0, 0, 0}, {0, 0, 0, 0}}, {{0, 1, 0, 0}, {0, 0, 0, 0}},
-        {{0, 0, 1, 0}, {0, 0, 0, 0}}, {{0, 0, 0, 1}, {0, 0, 0, 0}}, {{0, 0, 0, 0}, {1, 0, 0, 0}},
-        {{0, 0, 0, 0}, {0, 1, 0, 0}}, {{0, 0, 0, 0}, {0, 0, 1, 0}}, {{0, 0, 0, 0}, {0, 0, 0, 1}}};
-    return kPoint[code];
-}
 
 template <int kFours> HWY_INLINE SectionImpulse<kFours>
 gather_section(const ContactPoints& p, const WispAnswers& a, std::uint32_t rank) {
-    SectionImpulse<kFours> sum{a.near[rank], {}};
+    Four at_point[1 + kMaxEnvelopePoints] = {a.near[rank]}; // by code
     if (p.order.before(rank) != ContactOrder::kNone)
-        sum.skeleton += a.far[p.order.before(rank)];
+        at_point[0] += a.far[p.order.before(rank)];
     for (std::uint32_t i = a.at_section.first(rank); i < a.at_section.last(rank); ++i) {
         const std::uint32_t entry = a.entry[i];
         __builtin_prefetch(&a.impulse[a.entry[i + 24] / 16]);
-        const Four& j = a.impulse[entry / 16];
-        const Four* point = point_of<kFours>(entry % 16);
-        sum.skeleton += j;
-        for (int f = 0; f < kFours; ++f)
-            sum.along[f] += four(j[3]) * point[f];
+        at_point[entry % 16] += a.impulse[entry / 16];
     }
     for (std::uint32_t i = a.axes_at.first(rank); i < a.axes_at.last(rank); ++i)
-        sum.skeleton += a.impulse[a.axis_share[i].slot] * four(a.axis_share[i].share);
-    for (std::uint32_t k = 0; k + 1 < p.per_section; ++k)
-        sum.skeleton -= p.half_line[p.place(rank, k + 1)] * four(sum.on_envelope(k));
+        at_point[0] += a.impulse[a.axis_share[i].slot] * four(a.axis_share[i].share);
+
+    SectionImpulse<kFours> sum{at_point[0], {}};
+    for (std::uint32_t k = 0; k + 1 < p.per_section; ++k) {
+        const Four &d = p.half_line[p.place(rank, k + 1)], &j = at_point[k + 1];
+        const float along = mane::dot(d, j);
+        sum.along[k / 4][k % 4] = along;
+        sum.skeleton += j - d * four(along);
+    }
     return sum;
 }
 

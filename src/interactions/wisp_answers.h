@@ -36,7 +36,6 @@ struct WispAnswers {
     std::vector<std::uint32_t> first, first_axis;
     AlignedVector<std::uint32_t> place; ///< per slot
     AlignedVector<std::uint32_t> rank;  ///< per slot: of the point's section
-    AlignedVector<float> s;             ///< per slot: along the segment
     AlignedVector<float> weight;        ///< per slot
     AlignedVector<float> density;       ///< per slot of quasi-parallel wisps; 0 of a collision
     std::vector<AxisPoint> axis_points;
@@ -60,11 +59,12 @@ struct WispAnswers {
     std::vector<AxisShare> axis_share;
 
     // of a block
-    float step = 0;                ///< [s]
-    AlignedVector<Four> matrix[3]; ///< per slot: columns of −(W + Z)⁻¹, and of d·that
+    float step = 0;               ///< [s]
+    AlignedVector<Four> diagonal; ///< per slot: xx, yy, zz of −(W + Z)⁻¹, and s along the segment
+    AlignedVector<Four> beside; ///< per slot: its xy, yz, zx
 
     // of a step
-    AlignedVector<Four> impulse;   ///< per slot: on the point, and its part along the half line
+    AlignedVector<Four> impulse;   ///< per slot: on the point
     AlignedVector<Four> near, far; ///< per rank: on the ends of the segment that begins there
     SectionMotion change;
 };

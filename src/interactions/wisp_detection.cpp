@@ -1,6 +1,7 @@
 #include "interactions/wisp_detection.h"
 
 #include "base/functions.h"
+#include "base/room.h"
 #include "interactions/axis_test.h"
 #include "interactions/rod.h"
 
@@ -151,7 +152,6 @@ void WispDetection::begin_chunks() {
         std::swap(found.along, found.earlier_along);
         found.points.clear();
         found.along.clear();
-        found.contacts.clear();
         found.axes.clear();
         found.met.clear();
     }
@@ -161,19 +161,22 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
                                std::size_t chunk) {
     thread_local Scratch scratch;
     scratch.has_met.resize(std::max<std::size_t>(scratch.has_met.size(), points.order.size()));
+    scratch.contacts.clear();
     Found& found = chunks_[chunk];
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
     for (std::size_t i = first; i < last; ++i) {
         if (i % kSegmentsPerGroup == 0)
             gather_near(points, i, std::min(last, i + kSegmentsPerGroup), scratch);
-        const std::size_t before = found.contacts.size();
+        const std::size_t before = scratch.contacts.size();
         find_points(points, i, found, scratch);
-        list_.first[segments_[i] + 1] = static_cast<std::uint32_t>(found.contacts.size() - before);
+        list_.first[segments_[i] + 1] =
+            static_cast<std::uint32_t>(scratch.contacts.size() - before);
         found.along.begin_segment();
         if (any_slender_ && slender(points, segments_[i]))
             find_axes(hair, points, segments_[i], found, scratch);
     }
+    found.contacts.assign(scratch.contacts.begin(), scratch.contacts.end());
 }
 
 /// Segments that follow each other are near each other: what is near to them is looked for once.
@@ -217,7 +220,7 @@ void WispDetection::find_points(const ContactPoints& points, std::size_t index, 
         const bool slid = earlier.slid(place);
         const bool parallel =
             desc_.mode != WispContactMode::isotropic && (inside.parallel[p] & (slid ? 2 : 1));
-        found.contacts.push_back(
+        scratch.contacts.push_back(
             {.section = section,
              .point = {static_cast<std::uint8_t>(code)},
              .kind = parallel ? WispContactKind::friction : WispContactKind::collision,
@@ -342,7 +345,7 @@ void WispDetection::collect(const ContactPoints& points, Threads& threads) {
     std::size_t axes = 0;
     for (const Found& found : chunks_)
         axes += found.axes.size();
-    list_.contacts.resize(list_.of_points() + axes);
+    make_room(list_.contacts, list_.of_points() + axes);
     threads.run(chunks_.size(), [&](std::size_t c) {
         const std::uint32_t first = list_.first[segments_[c * kSegmentsPerChunk]];
         std::copy(chunks_[c].contacts.begin(), chunks_[c].contacts.end(),

@@ -61,9 +61,10 @@ class WispDetection {
     };
     /// What a thread keeps from chunk to chunk.
     struct Scratch {
-        NearBoxes near;            ///< bunches of points near a group of segments
-        NearBoxes near_axes;       ///< bunches of segments near it
-        std::vector<bool> has_met; ///< by the present segment
+        NearBoxes near;                    ///< bunches of points near a group of segments
+        NearBoxes near_axes;               ///< bunches of segments near it
+        std::vector<bool> has_met;         ///< by the present segment
+        std::vector<WispContact> contacts; ///< of the present chunk
         std::vector<std::uint32_t> bunches;
         std::vector<std::uint32_t> others; ///< segments whose axes may be met
         PointsInside inside;

@@ -1,6 +1,7 @@
 #include "interactions/wisp_response.h"
 
 #include "base/functions.h"
+#include "base/room.h"
 
 #include <algorithm>
 
@@ -70,7 +71,7 @@ void WispResponse::lay_out_slots(const ContactOrder& order) {
     axes_of_.start(ranks);
     for (const WispContact& c : list_->axes())
         axes_of_.count(order.rank(c.segment));
-    by_segment_.resize(axes_of_.add_up());
+    make_room(by_segment_, axes_of_.add_up());
     for (std::uint32_t i = 0; i < list_->axes().size(); ++i)
         by_segment_[axes_of_.next(order.rank(list_->axes()[i].segment))] = i;
     axes_of_.finish();
@@ -84,13 +85,12 @@ void WispResponse::lay_out_slots(const ContactOrder& order) {
         slots += whole_quads(axes_of_.last(r) - axes_of_.first(r));
     }
     a.first[ranks] = slots;
-    a.place.resize(slots);
-    a.rank.resize(slots);
-    for (AlignedVector<float>* numbers : {&a.s, &a.weight, &a.density})
-        numbers->resize(slots);
-    a.impulse.resize(slots);
-    for (AlignedVector<Four>& column : a.matrix)
-        column.resize(slots);
+    for (AlignedVector<std::uint32_t>* numbers : {&a.place, &a.rank})
+        make_room(*numbers, slots);
+    for (AlignedVector<float>* numbers : {&a.weight, &a.density})
+        make_room(*numbers, slots);
+    for (AlignedVector<Four>* fours : {&a.diagonal, &a.beside, &a.impulse})
+        make_room(*fours, slots);
     a.shared_across.resize(ranks);
     a.shared_extra.resize(ranks);
     a.takes_part.resize(ranks);
@@ -105,9 +105,8 @@ void WispResponse::fill_segment(const ContactPoints& points, std::uint32_t rank)
     const auto fill_up = [&](std::uint32_t end) { // with slots that answer nothing
         for (; slot < end; ++slot) {
             a.place[slot] = a.rank[slot] = 0;
-            a.s[slot] = a.weight[slot] = a.density[slot] = 0;
-            for (AlignedVector<Four>& column : a.matrix)
-                column[slot] = Four{};
+            a.weight[slot] = a.density[slot] = 0;
+            a.diagonal[slot] = a.beside[slot] = Four{};
         }
     };
     float sum = 0;
@@ -133,7 +132,7 @@ void WispResponse::take_slot(const ContactPoints& points, std::uint32_t slot,
                              const WispContact& contact) {
     WispAnswers& a = answers_;
     a.rank[slot] = points.order.rank(contact.section);
-    a.s[slot] = contact.s;
+    a.diagonal[slot][3] = contact.s;
     a.weight[slot] = contact.weight;
     a.density[slot] = contact.kind == WispContactKind::friction ? contact.density : 0.f;
 }
@@ -148,7 +147,7 @@ void WispResponse::take_axis_points(const ContactPoints& points) {
 void WispResponse::sort_by_section(const ContactOrder& order, Threads& threads) {
     WispAnswers& a = answers_;
     const std::vector<WispContact>& contacts = list_->contacts;
-    a.entry.resize(list_->of_points() + 32);
+    make_room(a.entry, list_->of_points() + 32);
     a.at_section.sort(
         threads, order.size(), list_->of_points(),
         [&](std::size_t i) { return order.rank(contacts[i].section); },
@@ -168,7 +167,7 @@ void WispResponse::sort_axes(const ContactOrder& order) {
         a.axes_at.count(point.rank);
         a.axes_at.count(order.next(point.rank));
     }
-    a.axis_share.resize(a.axes_at.add_up());
+    make_room(a.axis_share, a.axes_at.add_up());
     for (const AxisPoint& point : a.axis_points) {
         a.axis_share[a.axes_at.next(point.rank)] = {point.slot, 1 - point.along};
         a.axis_share[a.axes_at.next(order.next(point.rank))] = {point.slot, point.along};
