@@ -96,7 +96,7 @@ void WispDetection::detect(const HairView& hair, const ContactPoints& points, Th
     list_.first.assign(points.order.size() + 1, 0);
     begin_chunks();
     threads.run(chunks_.size(), [&](std::size_t c) { find_chunk(hair, points, c); });
-    collect(points, threads);
+    collect(threads);
 }
 
 std::span<const std::uint32_t> WispDetection::Sliding::of(std::size_t segment) const {
@@ -160,7 +160,7 @@ void WispDetection::begin_chunks() {
 void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points,
                                std::size_t chunk) {
     thread_local Scratch scratch;
-    scratch.has_met.resize(std::max<std::size_t>(scratch.has_met.size(), points.order.size()));
+    scratch.has_met.resize(std::max(scratch.has_met.size(), segments_.size()));
     scratch.contacts.clear();
     Found& found = chunks_[chunk];
     const std::size_t first = chunk * kSegmentsPerChunk,
@@ -230,7 +230,7 @@ void WispDetection::find_points(const ContactPoints& points, std::size_t index, 
              .weight = weight_at(inside.depth[p])});
         if (parallel)
             found.points.number.push_back(place);
-        meet(belongs, section, found, scratch);
+        meet(points, belongs, at, found, scratch);
     }
     for (std::size_t m = first_met_[index]; m < found.met.size(); ++m)
         scratch.has_met[found.met[m]] = false;
@@ -252,8 +252,8 @@ WispDetection::Belongs WispDetection::belongs_to(const ContactPoints& points, st
 }
 
 /// Notes the segments that a section belongs to, once each.
-void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& found,
-                         Scratch& scratch) {
+void WispDetection::meet(const ContactPoints& points, const Belongs& belongs, std::uint32_t at,
+                         Found& found, Scratch& scratch) const {
     const auto note = [&](std::uint32_t other) {
         if (scratch.has_met[other])
             return;
@@ -261,9 +261,9 @@ void WispDetection::meet(const Belongs& belongs, std::uint32_t section, Found& f
         found.met.push_back(other);
     };
     if (belongs.before)
-        note(section - 1);
+        note(index_[points.order.before(at)]);
     if (belongs.after)
-        note(section);
+        note(index_[at]);
 }
 
 /// Ours, beyond the paper's footnote: the axes that cross that of a slender segment.
@@ -340,7 +340,7 @@ bool WispDetection::slides_along(const ContactPoints& points, const WispContact&
 }
 
 /// Puts together what the chunks found.
-void WispDetection::collect(const ContactPoints& points, Threads& threads) {
+void WispDetection::collect(Threads& threads) {
     std::partial_sum(list_.first.begin(), list_.first.end(), list_.first.begin());
     std::size_t axes = 0;
     for (const Found& found : chunks_)
@@ -350,7 +350,7 @@ void WispDetection::collect(const ContactPoints& points, Threads& threads) {
         const std::uint32_t first = list_.first[segments_[c * kSegmentsPerChunk]];
         std::copy(chunks_[c].contacts.begin(), chunks_[c].contacts.end(),
                   list_.contacts.begin() + first);
-        count_pairs(points.order, c);
+        count_pairs(c);
     });
     auto next = list_.contacts.begin() + static_cast<std::ptrdiff_t>(list_.of_points());
     friction_contacts_ = intersecting_pairs_ = 0;
@@ -361,29 +361,27 @@ void WispDetection::collect(const ContactPoints& points, Threads& threads) {
     }
 }
 
-/// The segments of which a point was found in that of a rank.
-std::span<const std::uint32_t> WispDetection::met_by(std::uint32_t rank) const {
-    const std::uint32_t i = index_[rank];
-    const std::vector<std::uint32_t>& met = chunks_[i / kSegmentsPerChunk].met;
-    const bool last = i + 1 == segments_.size() || (i + 1) % kSegmentsPerChunk == 0;
-    const std::size_t end = last ? met.size() : first_met_[i + 1];
-    return std::span(met).subspan(first_met_[i], end - first_met_[i]);
+/// The segments of which a point was found in a segment.
+std::span<const std::uint32_t> WispDetection::met_by(std::size_t index) const {
+    const std::vector<std::uint32_t>& met = chunks_[index / kSegmentsPerChunk].met;
+    const bool last = index + 1 == segments_.size() || (index + 1) % kSegmentsPerChunk == 0;
+    const std::size_t end = last ? met.size() : first_met_[index + 1];
+    return std::span(met).subspan(first_met_[index], end - first_met_[index]);
 }
 
 /// Each pair once: from the segment that has a point of the other inside; where both have, from the
 /// earlier one.
-void WispDetection::count_pairs(const ContactOrder& order, std::size_t chunk) {
+void WispDetection::count_pairs(std::size_t chunk) {
     Found& found = chunks_[chunk];
     found.pairs = 0;
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
-    for (std::size_t i = first; i < last; ++i) {
-        const std::uint32_t segment = order.section(segments_[i]);
-        for (const std::uint32_t other : met_by(segments_[i])) {
+    for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
+        for (const std::uint32_t other : met_by(i)) {
             bool both = false; // asked of all, several at a time
-            if (other < segment)
-                for (const std::uint32_t back : met_by(order.rank(other)))
-                    both |= back == segment;
+            if (other < i)
+                for (const std::uint32_t back : met_by(other))
+                    both |= back == i;
             found.pairs += !both;
         }
     }

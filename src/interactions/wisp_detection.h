@@ -54,7 +54,7 @@ class WispDetection {
     struct Found {
         std::vector<WispContact> contacts; ///< of points
         std::vector<WispContact> axes;
-        std::vector<std::uint32_t> met; ///< by segment: those of which a point is inside it
+        std::vector<std::uint32_t> met; ///< by segment: those that have a point inside it
         Sliding points, earlier_points; ///< now and at the last call
         Sliding along, earlier_along;   ///< axes
         std::uint64_t pairs = 0;
@@ -83,7 +83,8 @@ class WispDetection {
     void find_points(const ContactPoints& points, std::size_t index, Found& found,
                      Scratch& scratch);
     Belongs belongs_to(const ContactPoints& points, std::uint32_t at, std::uint32_t rank) const;
-    static void meet(const Belongs& belongs, std::uint32_t section, Found& found, Scratch& scratch);
+    void meet(const ContactPoints& points, const Belongs& belongs, std::uint32_t at, Found& found,
+              Scratch& scratch) const;
     bool slender(const ContactPoints& points, std::uint32_t rank) const {
         return points.slenderness[rank] > desc_.axis_contact_ratio;
     }
@@ -93,9 +94,9 @@ class WispDetection {
                    std::uint32_t other, Found& found) const;
     bool slid_along(std::uint32_t rank, std::uint32_t other) const;
     bool slides_along(const ContactPoints& points, const WispContact& contact, bool slid) const;
-    void collect(const ContactPoints& points, Threads& threads);
-    void count_pairs(const ContactOrder& order, std::size_t chunk);
-    std::span<const std::uint32_t> met_by(std::uint32_t rank) const;
+    void collect(Threads& threads);
+    void count_pairs(std::size_t chunk);
+    std::span<const std::uint32_t> met_by(std::size_t index) const;
 
     WispContactDesc desc_;
     Ablation ablation_;
