@@ -15,9 +15,10 @@ namespace mane::HWY_NAMESPACE {
 /// The axis of one segment, as others are held against it.
 struct Axis {
     Vec3 x, way, direction;
-    float widest;
+    float widest = 0;
     Box box;
 
+    Axis() = default;
     Axis(const ContactPoints& points, const AxisBunch* axes, std::uint32_t rank)
         : direction(first_three(points.direction[rank])), box(segment_box(points, rank)) {
         const AxisBunch& own = axes[rank / kLanes];
@@ -61,30 +62,47 @@ HWY_INLINE Mask nearest_between_ends(const AxisBunch& others, const Axis& axis, 
     return both(between, dot(gap, gap) <= reach * reach);
 }
 
-std::size_t near(const ContactPoints& points, const AxisBunch* axes, std::uint32_t rank,
-                 float least_sine, std::span<const std::uint32_t> bunches, std::uint32_t* others) {
-    const Axis axis(points, axes, rank);
-    std::size_t count = 0;
-    for (const std::uint32_t bunch : bunches)
-        for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
-            const AxisBunch& there = axes[bunch];
-            const Mask overlaps = overlap(there.boxes, lane, axis.box);
-            if (none(overlaps))
-                continue;
-            const Mask meets = both(overlaps, nearest_between_ends(there, axis, lane));
-            if (none(meets))
-                continue;
-            const std::size_t first = bunch * kLanes + lane;
-            for (std::uint32_t bits = bits_of(both(meets, aslant(points, axis, first, least_sine)));
-                 bits != 0; bits &= bits - 1)
-                others[count++] =
-                    static_cast<std::uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
+/// Appends the segments of a bunch that an axis may meet.
+HWY_INLINE void find_in_bunch(const ContactPoints& points, const AxisBunch* axes,
+                              std::uint32_t bunch, const Axis& axis, float least_sine,
+                              std::vector<std::uint32_t>& found) {
+    const AxisBunch& there = axes[bunch];
+    for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
+        const Mask overlaps = overlap(there.boxes, lane, axis.box);
+        if (none(overlaps))
+            continue;
+        const Mask meets = both(overlaps, nearest_between_ends(there, axis, lane));
+        if (none(meets))
+            continue;
+        const std::size_t first = bunch * kLanes + lane;
+        for (std::uint32_t bits = bits_of(both(meets, aslant(points, axis, first, least_sine)));
+             bits != 0; bits &= bits - 1)
+            found.push_back(
+                static_cast<std::uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)));
+    }
+}
+
+void find(const ContactPoints& points, const AxisBunch* axes, std::span<const std::uint32_t> ranks,
+          float least_sine, const NearBoxes& near, std::vector<std::uint32_t>* found) {
+    Axis group[kLanes];
+    BoxTree::Node boxes;
+    boxes.clear();
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
+        group[i] = Axis(points, axes, ranks[i]);
+        boxes.set(i, group[i].box);
+        found[i].clear();
+    }
+    // Each bunch is fetched once for all segments that it is near.
+    for (std::size_t n = 0; n < near.items.size(); ++n)
+        for (std::uint32_t left = children_in(boxes, near.nodes[n / kLanes].box(n % kLanes));
+             left != 0; left &= left - 1) {
+            const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
+            find_in_bunch(points, axes, near.items[n], group[i], least_sine, found[i]);
         }
-    return count;
 }
 
 AxisSearch axis_search() {
-    return {near};
+    return {find};
 }
 
 } // namespace mane::HWY_NAMESPACE

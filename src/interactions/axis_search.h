@@ -2,10 +2,12 @@
 
 #include "interactions/box_tree.h"
 #include "interactions/contact_points.h"
+#include "interactions/point_test.h"
 
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace mane {
 
@@ -24,13 +26,13 @@ struct AxisBunch {
 /// The search for axes that come near to that of a segment, compiled once per instruction set. All
 /// give the same answers.
 struct AxisSearch {
-    /// Writes the ranks of the segments of `bunches` whose boxes overlap that of the segment at
-    /// `rank`, whose directions differ from its own by an angle of at least `least_sine`, and whose
-    /// axes are nearest to its own between their ends: all that axis_contact() gives a contact for,
-    /// and few others. Rising, if the bunches are. Returns how many they are.
-    std::size_t (*near)(const ContactPoints& points, const AxisBunch* axes, std::uint32_t rank,
-                        float least_sine, std::span<const std::uint32_t> bunches,
-                        std::uint32_t* others);
+    /// For up to sixteen segments, by the ranks at which they begin: the ranks of the segments of
+    /// the near bunches whose boxes overlap theirs, whose directions differ from theirs by an
+    /// angle of at least `least_sine`, and whose axes are nearest to theirs between their ends. All
+    /// that axis_contact() gives a contact for, and few others, in the order of the bunches.
+    void (*find)(const ContactPoints& points, const AxisBunch* axes,
+                 std::span<const std::uint32_t> ranks, float least_sine, const NearBoxes& near,
+                 std::vector<std::uint32_t>* found);
 };
 /// For an instruction set by name, or the machine's best for "".
 AxisSearch axis_search_for(const std::string& instruction_set);

@@ -28,13 +28,16 @@ HWY_INLINE Mask in_rod(const Rod& rod, const Pack3& p) {
 
 /// The volume between two cross-sections, inside its box (M21).
 struct SegmentVolume {
-    const SectionShape &near, &far;
+    const SectionShape *near, *far;
+    std::uint32_t ranks[2]; // of its sections
     Box box;
     Rod rod;
 
     SegmentVolume(const ContactPoints& points, std::uint32_t rank, const Rod& held_by)
-        : near(points.shape[rank]), far(points.shape[points.order.next(rank)]),
+        : near(&points.shape[rank]),
+          far(&points.shape[points.order.next(rank)]), ranks{rank, points.order.next(rank)},
           box(segment_box(points, rank)), rod(held_by) {}
+    SegmentVolume() = default;
 };
 
 HWY_INLINE Pack mixed(float a, float b, Pack s) {
@@ -44,7 +47,7 @@ HWY_INLINE Pack3 mixed(const Vec3& a, const Vec3& b, Pack s) {
     return {mixed(a.x, b.x, s), mixed(a.y, b.y, s), mixed(a.z, b.z, s)};
 }
 HWY_INLINE Pack radius_at(const SegmentVolume& v, std::size_t k, Pack s) {
-    return larger(mixed(v.near.radius[k], v.far.radius[k], s), Pack(kSmallestRadius));
+    return larger(mixed(v.near->radius[k], v.far->radius[k], s), Pack(kSmallestRadius));
 }
 
 /// The square of the depth of section coordinates (a, b) at s (M14a).
@@ -82,7 +85,7 @@ struct Inside {
 };
 HWY_INLINE Inside inside(const SegmentVolume& volume, const std::vector<HalfLine>& half_lines,
                          const Pack3& p, Mask boxed) {
-    const SectionShape &a = volume.near, &b = volume.far;
+    const SectionShape &a = *volume.near, &b = *volume.far;
     const Pack h0 = dot(p - broadcast(a.x), broadcast(a.normal)),
                h1 = dot(broadcast(b.x) - p, broadcast(b.normal));
     // Where the planes cross inside the wisp, both distances are negative between them.
@@ -108,7 +111,7 @@ HWY_INLINE Inside inside(const SegmentVolume& volume, const std::vector<HalfLine
 /// A section squeezed flat is not infinitely dense: strands fill at most a few times their share of
 /// space.
 HWY_INLINE Pack density_at(const SegmentVolume& volume, Pack s) {
-    const SectionShape &a = volume.near, &b = volume.far;
+    const SectionShape &a = *volume.near, &b = *volume.far;
     return smaller(mixed(a.rest_area, b.rest_area, s) /
                        larger(mixed(a.area, b.area, s), Pack(1e-12f)),
                    Pack(10.f));
@@ -161,15 +164,6 @@ void gather(const BoxTree& tree, const Box& box, NearBoxes& near) {
     });
 }
 
-std::size_t among(const NearBoxes& near, const Box& box, std::uint32_t* items) {
-    std::size_t count = 0;
-    for (std::size_t first = 0; first < near.items.size(); first += kLanes)
-        for (std::uint32_t bits = children_in(near.nodes[first / kLanes], box); bits != 0;
-             bits &= bits - 1)
-            items[count++] = near.items[first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)];
-    return count;
-}
-
 using Whole = hn::RebindToSigned<Tag>;
 
 HWY_INLINE hn::Vec<Whole> whole(std::uint32_t x) {
@@ -184,38 +178,35 @@ HWY_INLINE hn::Vec<Whole> counting_from(std::uint32_t first) {
 
 /// Points that wait for the test: those in the box and the rod, a few vectors of them.
 struct Waiting {
-    static constexpr std::size_t kMost = 256;
+    static constexpr std::size_t kMost = 128;
     alignas(64) float x[kMost + 2 * kLanes], y[kMost + 2 * kLanes], z[kMost + 2 * kLanes];
     std::int32_t point[kMost + 2 * kLanes]; // rank · 16 + code
     std::size_t count = 0;
 };
 
-HWY_INLINE void wait_if_near(const SegmentVolume& volume, const ContactPoints& points,
-                             std::uint32_t rank, std::uint32_t code, Mask of_others,
-                             Waiting& waiting) {
+/// The lanes, from rank `first` on, that are none of a segment's own sections.
+HWY_INLINE Mask of_others(const SegmentVolume& volume, std::uint32_t first) {
+    const auto rank = counting_from(first);
+    const auto other = [&](std::uint32_t r) { return hn::Ne(rank, whole(r)); };
+    return {hn::RebindMask(Tag(), hn::And(other(volume.ranks[0]), other(volume.ranks[1])))};
+}
+
+/// Points of one code from rank `first` on.
+HWY_INLINE void wait_if_near(const SegmentVolume& volume, const Pack3& p, std::uint32_t first,
+                             std::uint32_t code, Waiting& waiting) {
     const Tag tag;
-    const std::uint32_t place = points.place(rank, code);
-    const Pack3 p{Pack::load(points.x.data() + place), Pack::load(points.y.data() + place),
-                  Pack::load(points.z.data() + place)};
-    const Mask boxed = both(of_others, in_box(volume.box, p));
+    const Mask boxed = in_box(volume.box, p);
     if (none(boxed))
         return;
-    const Mask near = both(boxed, in_rod(volume.rod, p));
+    const Mask near = both(both(boxed, in_rod(volume.rod, p)), of_others(volume, first));
     if (none(near))
         return;
     hn::CompressStore(p.x.v, near.m, tag, waiting.x + waiting.count);
     hn::CompressStore(p.y.v, near.m, tag, waiting.y + waiting.count);
     hn::CompressStore(p.z.v, near.m, tag, waiting.z + waiting.count);
-    const auto point = hn::Add(hn::ShiftLeft<4>(counting_from(rank)), whole(code));
+    const auto point = hn::Add(hn::ShiftLeft<4>(counting_from(first)), whole(code));
     waiting.count += hn::CompressStore(point, hn::RebindMask(Whole(), near.m), Whole(),
                                        waiting.point + waiting.count);
-}
-
-/// The lanes, from rank `first` on, that are neither `a` nor `b`.
-HWY_INLINE Mask none_of(std::uint32_t first, std::uint32_t a, std::uint32_t b) {
-    const auto rank = counting_from(first);
-    const auto other = [&](std::uint32_t r) { return hn::Ne(rank, whole(r)); };
-    return {hn::RebindMask(Tag(), hn::And(other(a), other(b)))};
 }
 
 HWY_INLINE void test_waiting(const SegmentVolume& volume, const std::vector<HalfLine>& half_lines,
@@ -242,20 +233,48 @@ HWY_INLINE void test_waiting(const SegmentVolume& volume, const std::vector<Half
     waiting.count = 0;
 }
 
-void find(const ContactPoints& points, std::uint32_t rank, const Rod& rod,
-          std::span<const std::uint32_t> bunches, PointsInside& found) {
-    const SegmentVolume volume(points, rank, rod);
-    const std::uint32_t next = points.order.next(rank);
-    Waiting waiting;
-    for (const std::uint32_t bunch : bunches)
+/// The volumes of a group of segments, and what waits for each.
+struct VolumeGroup {
+    SegmentVolume volume[kLanes];
+    Waiting waiting[kLanes];
+    BoxTree::Node boxes; // of the volumes
+};
+
+void find(const ContactPoints& points, std::span<const std::uint32_t> ranks,
+          std::span<const Rod> rods, const NearBoxes& near, PointsInside* found) {
+    VolumeGroup group;
+    group.boxes.clear();
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
+        group.volume[i] = SegmentVolume(points, ranks[i], rods[i]);
+        group.boxes.set(i, group.volume[i].box);
+        found[i].count = 0;
+    }
+    const auto test = [&](std::size_t i) {
+        test_waiting(group.volume[i], points.half_lines, group.waiting[i], found[i]);
+    };
+    // Each bunch is fetched once for all segments that it is near.
+    for (std::size_t n = 0; n < near.items.size(); ++n) {
+        const std::uint32_t segments =
+            children_in(group.boxes, near.nodes[n / kLanes].box(n % kLanes));
+        if (segments == 0)
+            continue;
         for (std::uint32_t code = 0; code < points.per_section; ++code)
             for (std::uint32_t lane = 0; lane < kLanes; lane += kPackLanes) {
-                const std::uint32_t first = bunch * kLanes + lane;
-                wait_if_near(volume, points, first, code, none_of(first, rank, next), waiting);
-                if (waiting.count + kPackLanes > Waiting::kMost)
-                    test_waiting(volume, points.half_lines, waiting, found);
+                const std::uint32_t first = near.items[n] * kLanes + lane,
+                                    place = points.place(first, code);
+                const Pack3 p{Pack::load(points.x.data() + place),
+                              Pack::load(points.y.data() + place),
+                              Pack::load(points.z.data() + place)};
+                for (std::uint32_t left = segments; left != 0; left &= left - 1) {
+                    const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
+                    wait_if_near(group.volume[i], p, first, code, group.waiting[i]);
+                    if (group.waiting[i].count + kPackLanes > Waiting::kMost)
+                        test(i);
+                }
             }
-    test_waiting(volume, points.half_lines, waiting, found);
+    }
+    for (std::size_t i = 0; i < ranks.size(); ++i)
+        test(i);
 }
 
 void hulls(const ContactPoints& points, Box* hulls, std::size_t first, std::size_t last) {
@@ -337,7 +356,7 @@ void classify(const ContactPoints& points, std::uint32_t rank, const ParallelLim
 }
 
 PointTest point_test() {
-    return {hulls, gather, among, find, classify};
+    return {hulls, gather, find, classify};
 }
 
 } // namespace mane::HWY_NAMESPACE

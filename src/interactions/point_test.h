@@ -54,15 +54,12 @@ struct PointTest {
     void (*hulls)(const ContactPoints& points, Box* hulls, std::size_t first, std::size_t last);
     /// Gathers the boxes that overlap `box`.
     void (*gather)(const BoxTree& tree, const Box& box, NearBoxes& near);
-    /// Writes the items of those that overlap a smaller box; there is room for all. Returns how
-    /// many they are.
-    std::size_t (*among)(const NearBoxes& near, const Box& box, std::uint32_t* items);
-    /// Appends the points of `bunches` inside the volume of the segment that begins at `rank`, but
-    /// for its own two sections', in the order of bunches, codes and ranks. `rod` must hold the
-    /// volume.
-    void (*find)(const ContactPoints& points, std::uint32_t rank, const Rod& rod,
-                 std::span<const std::uint32_t> bunches, PointsInside& found);
-    /// Tells which of them are quasi-parallel to it.
+    /// Finds the points of the near bunches that are inside the volumes of up to sixteen segments,
+    /// by the ranks at which they begin, but for a segment's own two sections': for each, in the
+    /// order of bunches, codes and ranks. `rods` must hold the volumes.
+    void (*find)(const ContactPoints& points, std::span<const std::uint32_t> ranks,
+                 std::span<const Rod> rods, const NearBoxes& near, PointsInside* found);
+    /// Tells which points in a segment are quasi-parallel to it.
     void (*classify)(const ContactPoints& points, std::uint32_t rank, const ParallelLimits& limits,
                      PointsInside& found);
 };

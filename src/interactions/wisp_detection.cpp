@@ -12,8 +12,7 @@
 namespace mane {
 namespace {
 
-constexpr std::size_t kSegmentsPerGroup = 16;
-constexpr std::size_t kSegmentsPerChunk = 8 * kSegmentsPerGroup;
+constexpr std::size_t kSegmentsPerChunk = 8 * kLanes;
 constexpr std::size_t kBunchesPerChunk = 64;
 
 float sine_of(double degrees) {
@@ -166,47 +165,47 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
     for (std::size_t i = first; i < last; ++i) {
-        if (i % kSegmentsPerGroup == 0)
-            gather_near(points, i, std::min(last, i + kSegmentsPerGroup), scratch);
+        const std::size_t in_group = i % kLanes;
+        if (in_group == 0)
+            search(points, std::span(segments_).subspan(i, std::min<std::size_t>(last - i, kLanes)),
+                   scratch);
         const std::size_t before = scratch.contacts.size();
-        find_points(points, i, found, scratch);
+        take_points(points, i, scratch.inside[in_group], found, scratch);
         list_.first[segments_[i] + 1] =
             static_cast<std::uint32_t>(scratch.contacts.size() - before);
         found.along.begin_segment();
         if (any_slender_ && slender(points, segments_[i]))
-            find_axes(hair, points, segments_[i], found, scratch);
+            for (const std::uint32_t other : scratch.axes[in_group])
+                take_axis(hair, points, segments_[i], other, found);
     }
     found.contacts.assign(scratch.contacts.begin(), scratch.contacts.end());
 }
 
-/// Segments that follow each other are near each other: what is near to them is looked for once.
-void WispDetection::gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
-                                Scratch& scratch) const {
+/// Looks for the points inside a group of segments, and for the axes that cross theirs. Segments
+/// that follow each other are near each other: what is near to them is looked for once.
+void WispDetection::search(const ContactPoints& points, std::span<const std::uint32_t> group,
+                           Scratch& scratch) const {
     Box hull = Box::nowhere();
-    for (std::size_t i = first; i < last; ++i) {
-        const Box box = segment_box(points, segments_[i]);
+    for (std::size_t i = 0; i < group.size(); ++i) {
+        const Box box = segment_box(points, group[i]);
         hull.add(box.low);
         hull.add(box.high);
+        scratch.rods[i] = volume_rod(points, group[i]);
     }
     point_test_.gather(bunch_tree_, hull, scratch.near);
-    if (any_slender_)
-        point_test_.gather(axes_tree_, hull, scratch.near_axes);
-    scratch.bunches.resize(std::max(scratch.bunches.size(), hulls_.size()));
-    scratch.others.resize(std::max(scratch.others.size(), scratch.near_axes.items.size() * kLanes));
+    point_test_.find(points, group, scratch.rods, scratch.near, scratch.inside.data());
+    if (!any_slender_)
+        return;
+    point_test_.gather(axes_tree_, hull, scratch.near);
+    axis_search_.find(points, axes_.data(), group, limits_.sine_fade, scratch.near,
+                      scratch.axes.data());
 }
 
 /// The points in the volume of a segment (M21).
-void WispDetection::find_points(const ContactPoints& points, std::size_t index, Found& found,
-                                Scratch& scratch) {
+void WispDetection::take_points(const ContactPoints& points, std::size_t index,
+                                PointsInside& inside, Found& found, Scratch& scratch) {
     const std::uint32_t rank = segments_[index], segment = points.order.section(rank);
-    const std::size_t bunches =
-        point_test_.among(scratch.near, segment_box(points, rank), scratch.bunches.data());
-    PointsInside& inside = scratch.inside;
-    inside.count = 0;
-    point_test_.find(points, rank, volume_rod(points, rank), {scratch.bunches.data(), bunches},
-                     inside);
     point_test_.classify(points, rank, limits_, inside);
-
     first_met_[index] = static_cast<std::uint32_t>(found.met.size());
     found.points.begin_segment();
     Earlier earlier(found.earlier_points.of(index % kSegmentsPerChunk));
@@ -266,21 +265,10 @@ void WispDetection::meet(const ContactPoints& points, const Belongs& belongs, st
         note(index_[at]);
 }
 
-/// Ours, beyond the paper's footnote: the axes that cross that of a slender segment.
-void WispDetection::find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
-                              Found& found, Scratch& scratch) const {
-    const std::size_t bunches =
-        point_test_.among(scratch.near_axes, segment_box(points, rank), scratch.bunches.data());
-    const std::size_t others =
-        axis_search_.near(points, axes_.data(), rank, limits_.sine_fade,
-                          {scratch.bunches.data(), bunches}, scratch.others.data());
-    for (std::size_t i = 0; i < others; ++i)
-        find_axis(hair, points, rank, scratch.others[i], found);
-}
-
+/// Ours, beyond the paper's footnote: axes that cross that of a slender segment.
 /// Each pair of segments of which one is slender once, from its slender side, or from the first of
 /// two. A contact is told from the earlier segment, whichever was slender.
-void WispDetection::find_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
+void WispDetection::take_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                               std::uint32_t other, Found& found) const {
     const std::uint32_t a = points.order.section(rank), b = points.order.section(other);
     if (a == b || (b < a && slender(points, other)))

@@ -7,6 +7,7 @@
 #include "mane/desc.h"
 #include "model/ablation.h"
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,13 +62,13 @@ class WispDetection {
     };
     /// What a thread keeps from chunk to chunk.
     struct Scratch {
-        NearBoxes near;                    ///< bunches of points near a group of segments
-        NearBoxes near_axes;               ///< bunches of segments near it
-        std::vector<bool> has_met;         ///< by the present segment
-        std::vector<WispContact> contacts; ///< of the present chunk
-        std::vector<std::uint32_t> bunches;
-        std::vector<std::uint32_t> others; ///< segments whose axes may be met
-        PointsInside inside;
+        NearBoxes near; ///< bunches near a group of segments
+        /// Per segment of the group.
+        std::array<Rod, kLanes> rods;
+        std::array<PointsInside, kLanes> inside;
+        std::array<std::vector<std::uint32_t>, kLanes> axes; ///< that it may meet
+        std::vector<bool> has_met;                           ///< by the present segment
+        std::vector<WispContact> contacts;                   ///< of the present chunk
     };
     struct Belongs {
         bool before = false, after = false;
@@ -78,19 +79,17 @@ class WispDetection {
     void place_axes(const ContactPoints& points, Threads& threads);
     void begin_chunks();
     void find_chunk(const HairView& hair, const ContactPoints& points, std::size_t chunk);
-    void gather_near(const ContactPoints& points, std::size_t first, std::size_t last,
-                     Scratch& scratch) const;
-    void find_points(const ContactPoints& points, std::size_t index, Found& found,
-                     Scratch& scratch);
+    void search(const ContactPoints& points, std::span<const std::uint32_t> group,
+                Scratch& scratch) const;
+    void take_points(const ContactPoints& points, std::size_t index, PointsInside& inside,
+                     Found& found, Scratch& scratch);
     Belongs belongs_to(const ContactPoints& points, std::uint32_t at, std::uint32_t rank) const;
     void meet(const ContactPoints& points, const Belongs& belongs, std::uint32_t at, Found& found,
               Scratch& scratch) const;
     bool slender(const ContactPoints& points, std::uint32_t rank) const {
         return points.slenderness[rank] > desc_.axis_contact_ratio;
     }
-    void find_axes(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
-                   Found& found, Scratch& scratch) const;
-    void find_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
+    void take_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                    std::uint32_t other, Found& found) const;
     bool slid_along(std::uint32_t rank, std::uint32_t other) const;
     bool slides_along(const ContactPoints& points, const WispContact& contact, bool slid) const;

@@ -1,6 +1,7 @@
 /// The search for boxes and points of §4.1 against looking at every one.
 
 #include "interactions/contact_geometry.h"
+#include "interactions/near_all.h"
 #include "interactions/point_test.h"
 #include "interactions/toy_hair.h"
 #include "reference/random_numbers.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 using namespace mane;
 
@@ -60,20 +60,10 @@ TEST_CASE("a tree of boxes finds exactly those that overlap, wherever they have 
                 for (std::uint32_t i = 0; i < count; ++i)
                     if (boxes[i].overlaps(box))
                         expected.push_back(i);
-                // A smaller box in it finds its own among those.
-                Box inner = box;
-                inner.high = (box.low + box.high) / 2.f;
-                std::vector<std::uint32_t> fewer;
-                for (const std::uint32_t i : expected)
-                    if (boxes[i].overlaps(inner))
-                        fewer.push_back(i);
                 for (const PointTest& test : tests) {
                     NearBoxes near;
                     test.gather(tree, box, near);
                     CHECK(near.items == expected);
-                    std::vector<std::uint32_t> found(expected.size());
-                    found.resize(test.among(near, inner, found.data()));
-                    CHECK(found == fewer);
                 }
             }
         }
@@ -159,11 +149,10 @@ TEST_CASE("a segment holds the same points for every instruction set and K") {
             geometry.take(hair.view(), threads);
             const ContactPoints& points = geometry.points();
             const std::uint32_t rank = points.order.rank(1), next = points.order.next(rank);
-            std::vector<std::uint32_t> bunches(points.bunches());
-            std::iota(bunches.begin(), bunches.end(), 0u);
+            const NearBoxes near = test::near_all(points);
 
             std::vector<std::uint32_t> expected, uncertain;
-            for (const std::uint32_t bunch : bunches)
+            for (const std::uint32_t bunch : near.items)
                 for (std::uint32_t code = 0; code <= k; ++code)
                     for (std::uint32_t r = bunch * kLanes;
                          r < std::min((bunch + 1) * kLanes, points.order.size()); ++r) {
@@ -181,7 +170,7 @@ TEST_CASE("a segment holds the same points for every instruction set and K") {
             PointsInside first;
             for (const PointTest& test : tests) {
                 PointsInside found;
-                test.find(points, rank, kEverywhere, bunches, found);
+                test.find(points, {&rank, 1}, {&kEverywhere, 1}, near, &found);
                 std::vector<std::uint32_t> certain;
                 for (std::size_t i = 0; i < found.count; ++i) {
                     const std::uint32_t point = found.point[i],

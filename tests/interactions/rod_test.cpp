@@ -4,6 +4,7 @@
 #include "interactions/axis_search.h"
 #include "interactions/axis_test.h"
 #include "interactions/contact_geometry.h"
+#include "interactions/near_all.h"
 #include "interactions/point_test.h"
 #include "interactions/toy_hair.h"
 #include "model/section_frames.h"
@@ -14,7 +15,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <span>
 
 using namespace mane;
 
@@ -67,18 +69,19 @@ test::ToyHair tangle(std::uint32_t k, reference::RandomNumbers& random) {
     return hair;
 }
 
-std::vector<std::uint32_t> all_bunches(const ContactPoints& points) {
-    std::vector<std::uint32_t> bunches(points.bunches());
-    std::iota(bunches.begin(), bunches.end(), 0u);
-    return bunches;
-}
-
 std::vector<std::uint32_t> segments(const ContactPoints& points) {
     std::vector<std::uint32_t> ranks;
     for (std::uint32_t r = 0; r < points.order.size(); ++r)
         if (points.order.next(r) != ContactOrder::kNone)
             ranks.push_back(r);
     return ranks;
+}
+
+/// Cuts ranks into groups of one, two, … sixteen, one, …
+template <typename Use> void for_groups(std::span<const std::uint32_t> ranks, Use&& use) {
+    for (std::size_t first = 0, size = 1; first < ranks.size();
+         first += size, size = size % kLanes + 1)
+        use(ranks.subspan(first, std::min(size, ranks.size() - first)));
 }
 
 } // namespace
@@ -94,22 +97,31 @@ TEST_CASE("a segment's rod holds its volume, however its planes lean") {
         ContactGeometry geometry;
         geometry.take(hair.view(), threads);
         const ContactPoints& points = geometry.points();
-        const std::vector<std::uint32_t> bunches = all_bunches(points);
-        for (const std::uint32_t rank : segments(points))
-            for (const PointTest& test : tests) {
-                PointsInside all, held, thinner;
-                Rod rod = volume_rod(points, rank);
-                test.find(points, rank, kEverywhere, bunches, all);
-                test.find(points, rank, rod, bunches, held);
-                rod.radius *= 0.9f;
-                test.find(points, rank, rod, bunches, thinner);
-                REQUIRE(held.count == all.count);
-                CHECK(std::equal(all.point.begin(),
-                                 all.point.begin() + static_cast<std::ptrdiff_t>(all.count),
-                                 held.point.begin()));
-                inside += all.count;
-                in_thinner += thinner.count;
+        const NearBoxes near = test::near_all(points);
+        const std::vector<std::uint32_t> ranks = segments(points);
+        for_groups(ranks, [&](std::span<const std::uint32_t> group) {
+            std::array<Rod, kLanes> rods, thin, everywhere;
+            everywhere.fill(kEverywhere);
+            for (std::size_t i = 0; i < group.size(); ++i) {
+                rods[i] = thin[i] = volume_rod(points, group[i]);
+                thin[i].radius *= 0.9f;
             }
+            for (const PointTest& test : tests) {
+                std::array<PointsInside, kLanes> all, held, thinner;
+                test.find(points, group, everywhere, near, all.data());
+                test.find(points, group, rods, near, held.data());
+                test.find(points, group, thin, near, thinner.data());
+                for (std::size_t i = 0; i < group.size(); ++i) {
+                    REQUIRE(held[i].count == all[i].count);
+                    CHECK(
+                        std::equal(all[i].point.begin(),
+                                   all[i].point.begin() + static_cast<std::ptrdiff_t>(all[i].count),
+                                   held[i].point.begin()));
+                    inside += all[i].count;
+                    in_thinner += thinner[i].count;
+                }
+            }
+        });
     }
     CHECK(inside > 1000);
     CHECK(in_thinner < inside);
@@ -126,7 +138,8 @@ TEST_CASE("the search for axes leaves out no contact, for any instruction set an
         ContactGeometry geometry;
         geometry.take(hair.view(), threads);
         const ContactPoints& points = geometry.points();
-        const std::vector<std::uint32_t> bunches = all_bunches(points), ranks = segments(points);
+        const NearBoxes near = test::near_all(points);
+        const std::vector<std::uint32_t> ranks = segments(points);
         AlignedVector<AxisBunch> axes(points.bunches());
         for (AxisBunch& bunch : axes)
             bunch.clear();
@@ -137,7 +150,7 @@ TEST_CASE("the search for axes leaves out no contact, for any instruction set an
             for (float& widest : bunch.widest)
                 widest *= 0.5f;
 
-        for (const std::uint32_t rank : ranks) {
+        const auto met_by = [&](std::uint32_t rank) {
             const auto direction = [&](std::uint32_t r) {
                 return Vec3d(first_three(points.direction[r]));
             };
@@ -147,24 +160,30 @@ TEST_CASE("the search for axes leaves out no contact, for any instruction set an
                     length(cross(direction(rank), direction(other))) > double{kLeastSine} + 1e-6 &&
                     axis_contact(points, std::min(rank, other), std::max(rank, other)))
                     met.push_back(other);
-            std::vector<std::uint32_t> first;
+            return met;
+        };
+        for_groups(ranks, [&](std::span<const std::uint32_t> group) {
+            using Found = std::array<std::vector<std::uint32_t>, kLanes>;
+            Found first;
             for (const AxisSearch& search : searches) {
-                std::vector<std::uint32_t> found(points.padded_ranks());
-                const auto ask = [&](const AlignedVector<AxisBunch>& among) {
-                    found.resize(points.padded_ranks());
-                    found.resize(
-                        search.near(points, among.data(), rank, kLeastSine, bunches, found.data()));
-                    return std::includes(found.begin(), found.end(), met.begin(), met.end());
-                };
-                missed_by_thinner += !ask(thinner);
-                CHECK(ask(axes));
-                if (first.empty())
+                Found found, fewer;
+                search.find(points, axes.data(), group, kLeastSine, near, found.data());
+                search.find(points, thinner.data(), group, kLeastSine, near, fewer.data());
+                for (std::size_t i = 0; i < group.size(); ++i) {
+                    const std::vector<std::uint32_t> met = met_by(group[i]);
+                    const auto holds_all = [&](const std::vector<std::uint32_t>& among) {
+                        return std::includes(among.begin(), among.end(), met.begin(), met.end());
+                    };
+                    CHECK(holds_all(found[i]));
+                    missed_by_thinner += !holds_all(fewer[i]);
+                    contacts += met.size();
+                    candidates += found[i].size();
+                }
+                if (&search == &searches.front())
                     first = found;
                 CHECK(found == first);
             }
-            contacts += met.size();
-            candidates += first.size();
-        }
+        });
     }
     CHECK(contacts > 500);
     CHECK(candidates < 3 * contacts);

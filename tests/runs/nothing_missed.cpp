@@ -5,6 +5,8 @@
 // against it finds.
 //   nothing_missed SCENE.toml [seconds] [section.key=value ...]
 
+#include "interactions/near_all.h"
+
 #include "mane/scene.h"
 #include "mane/setup.h"
 #include "step/cast.h"
@@ -16,7 +18,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <numeric>
 #include <vector>
 
 namespace {
@@ -34,9 +35,8 @@ bool same(const State& a, const State& b) {
 /// Contacts of points between wisps, looked for a second time.
 class PointSearch {
   public:
-    explicit PointSearch(const ContactPoints& points) : points_(points), all_(points.bunches()) {
-        std::iota(all_.begin(), all_.end(), 0u);
-    }
+    explicit PointSearch(const ContactPoints& points)
+        : points_(points), all_(test::near_all(points)) {}
 
     /// Whether a segment's contacts are those found among all points of the hair.
     bool same(std::uint32_t rank, std::span<const WispContact> contacts) {
@@ -65,14 +65,13 @@ class PointSearch {
         box.high += cut * -1.f;
         NearBoxes near;
         test_.gather(tree, box, near);
-        find(rank, near.items);
+        find(rank, near);
         return found_.count < all;
     }
 
   private:
-    void find(std::uint32_t rank, std::span<const std::uint32_t> bunches) {
-        found_.count = 0;
-        test_.find(points_, rank, kEverywhere, bunches, found_);
+    void find(std::uint32_t rank, const NearBoxes& near) {
+        test_.find(points_, {&rank, 1}, {&kEverywhere, 1}, near, &found_);
     }
 
     // A section belongs to the simulated segments before and after it; of one wisp, two segments
@@ -88,7 +87,7 @@ class PointSearch {
     }
 
     const ContactPoints& points_;
-    std::vector<std::uint32_t> all_;
+    NearBoxes all_;
     PointTest test_ = point_test_for("scalar");
     PointsInside found_;
 };
