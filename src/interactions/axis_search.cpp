@@ -7,10 +7,12 @@
 
 #include "interactions/box_search-inl.h"
 #include "interactions/point_test.h"
-#include "interactions/rod.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
+
+/// [m] over all rounding in single precision, within metres of the origin
+constexpr float kOverRounding = 4e-6f;
 
 /// The axis of one segment, as others are held against it.
 struct Axis {
@@ -58,7 +60,7 @@ HWY_INLINE Mask nearest_between_ends(const AxisBunch& others, const Axis& axis, 
         return between;
     const Pack by = Pack(1.f) / det;
     const Pack3 gap = (b + e * (t * by)) - (broadcast(axis.x) + d * (s * by));
-    const Pack reach = Pack(axis.widest + kRodMargin) + Pack::load(others.widest + lane);
+    const Pack reach = Pack(axis.widest + kOverRounding) + Pack::load(others.widest + lane);
     return both(between, dot(gap, gap) <= reach * reach);
 }
 
@@ -131,7 +133,8 @@ void AxisBunch::set(const ContactPoints& points, std::uint32_t rank) {
     boxes.set(lane, segment_box(points, rank));
     x[0][lane] = from.x, x[1][lane] = from.y, x[2][lane] = from.z;
     way[0][lane] = to.x, way[1][lane] = to.y, way[2][lane] = to.z;
-    widest[lane] = mane::widest(points, rank);
+    widest[lane] = points.bulge * std::max(points.shape[rank].largest,
+                                           points.shape[points.order.next(rank)].largest);
 }
 
 } // namespace mane

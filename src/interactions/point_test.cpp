@@ -21,22 +21,16 @@ HWY_INLINE Mask in_box(const Box& box, const Pack3& p) {
                 within(box.low.z, p.z, box.high.z));
 }
 
-HWY_INLINE Mask in_rod(const Rod& rod, const Pack3& p) {
-    const Pack3 off = cross(p - broadcast(rod.x), broadcast(rod.way));
-    return dot(off, off) <= Pack(rod.radius * rod.radius);
-}
-
 /// The volume between two cross-sections, inside its box (M21).
 struct SegmentVolume {
     const SectionShape *near, *far;
     std::uint32_t ranks[2]; // of its sections
     Box box;
-    Rod rod;
 
-    SegmentVolume(const ContactPoints& points, std::uint32_t rank, const Rod& held_by)
+    SegmentVolume(const ContactPoints& points, std::uint32_t rank)
         : near(&points.shape[rank]),
           far(&points.shape[points.order.next(rank)]), ranks{rank, points.order.next(rank)},
-          box(segment_box(points, rank)), rod(held_by) {}
+          box(segment_box(points, rank)) {}
     SegmentVolume() = default;
 };
 
@@ -176,7 +170,7 @@ HWY_INLINE hn::Vec<Whole> counting_from(std::uint32_t first) {
     return hn::Add(hn::Load(Whole(), kCounting), whole(first));
 }
 
-/// Points that wait for the test: those in the box and the rod, a few vectors of them.
+/// Points that wait for the test: those in the box, a few vectors of them.
 struct Waiting {
     static constexpr std::size_t kMost = 128;
     alignas(64) float x[kMost + 2 * kLanes], y[kMost + 2 * kLanes], z[kMost + 2 * kLanes];
@@ -198,7 +192,7 @@ HWY_INLINE void wait_if_near(const SegmentVolume& volume, const Pack3& p, std::u
     const Mask boxed = in_box(volume.box, p);
     if (none(boxed))
         return;
-    const Mask near = both(both(boxed, in_rod(volume.rod, p)), of_others(volume, first));
+    const Mask near = both(boxed, of_others(volume, first));
     if (none(near))
         return;
     hn::CompressStore(p.x.v, near.m, tag, waiting.x + waiting.count);
@@ -240,12 +234,12 @@ struct VolumeGroup {
     BoxTree::Node boxes; // of the volumes
 };
 
-void find(const ContactPoints& points, std::span<const std::uint32_t> ranks,
-          std::span<const Rod> rods, const NearBoxes& near, PointsInside* found) {
+void find(const ContactPoints& points, std::span<const std::uint32_t> ranks, const NearBoxes& near,
+          PointsInside* found) {
     VolumeGroup group;
     group.boxes.clear();
     for (std::size_t i = 0; i < ranks.size(); ++i) {
-        group.volume[i] = SegmentVolume(points, ranks[i], rods[i]);
+        group.volume[i] = SegmentVolume(points, ranks[i]);
         group.boxes.set(i, group.volume[i].box);
         found[i].count = 0;
     }

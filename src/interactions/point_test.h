@@ -2,7 +2,6 @@
 
 #include "interactions/box_tree.h"
 #include "interactions/contact_points.h"
-#include "interactions/rod.h"
 
 #include <cstdint>
 #include <span>
@@ -56,9 +55,9 @@ struct PointTest {
     void (*gather)(const BoxTree& tree, const Box& box, NearBoxes& near);
     /// Finds the points of the near bunches that are inside the volumes of up to sixteen segments,
     /// by the ranks at which they begin, but for a segment's own two sections': for each, in the
-    /// order of bunches, codes and ranks. `rods` must hold the volumes.
+    /// order of bunches, codes and ranks.
     void (*find)(const ContactPoints& points, std::span<const std::uint32_t> ranks,
-                 std::span<const Rod> rods, const NearBoxes& near, PointsInside* found);
+                 const NearBoxes& near, PointsInside* found);
     /// Tells which points in a segment are quasi-parallel to it.
     void (*classify)(const ContactPoints& points, std::uint32_t rank, const ParallelLimits& limits,
                      PointsInside& found);

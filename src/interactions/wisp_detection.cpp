@@ -3,7 +3,6 @@
 #include "base/functions.h"
 #include "base/room.h"
 #include "interactions/axis_test.h"
-#include "interactions/rod.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,9 +87,8 @@ void WispDetection::detect(const HairView& hair, const ContactPoints& points, Th
     if (index_.empty())
         list_segments(hair, points);
     place_boxes(points, threads);
-    any_slender_ = std::any_of(segments_.begin(), segments_.end(),
-                               [&](std::uint32_t rank) { return slender(points, rank); });
-    if (any_slender_)
+    if (std::any_of(segments_.begin(), segments_.end(),
+                    [&](std::uint32_t rank) { return slender(points, rank); }))
         place_axes(points, threads);
     list_.first.assign(points.order.size() + 1, 0);
     begin_chunks();
@@ -164,18 +162,21 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
     Found& found = chunks_[chunk];
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
+    std::size_t next_slender = 0;
     for (std::size_t i = first; i < last; ++i) {
         const std::size_t in_group = i % kLanes;
-        if (in_group == 0)
-            search(points, std::span(segments_).subspan(i, std::min<std::size_t>(last - i, kLanes)),
-                   scratch);
+        if (in_group == 0) {
+            const std::size_t size = std::min<std::size_t>(last - i, kLanes);
+            search(points, std::span(segments_).subspan(i, size), scratch);
+            next_slender = 0;
+        }
         const std::size_t before = scratch.contacts.size();
         take_points(points, i, scratch.inside[in_group], found, scratch);
         list_.first[segments_[i] + 1] =
             static_cast<std::uint32_t>(scratch.contacts.size() - before);
         found.along.begin_segment();
-        if (any_slender_ && slender(points, segments_[i]))
-            for (const std::uint32_t other : scratch.axes[in_group])
+        if (slender(points, segments_[i]))
+            for (const std::uint32_t other : scratch.axes[next_slender++])
                 take_axis(hair, points, segments_[i], other, found);
     }
     found.contacts.assign(scratch.contacts.begin(), scratch.contacts.end());
@@ -186,18 +187,20 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
 void WispDetection::search(const ContactPoints& points, std::span<const std::uint32_t> group,
                            Scratch& scratch) const {
     Box hull = Box::nowhere();
-    for (std::size_t i = 0; i < group.size(); ++i) {
-        const Box box = segment_box(points, group[i]);
+    scratch.slender.clear();
+    for (const std::uint32_t rank : group) {
+        const Box box = segment_box(points, rank);
         hull.add(box.low);
         hull.add(box.high);
-        scratch.rods[i] = volume_rod(points, group[i]);
+        if (slender(points, rank))
+            scratch.slender.push_back(rank);
     }
     point_test_.gather(bunch_tree_, hull, scratch.near);
-    point_test_.find(points, group, scratch.rods, scratch.near, scratch.inside.data());
-    if (!any_slender_)
+    point_test_.find(points, group, scratch.near, scratch.inside.data());
+    if (scratch.slender.empty())
         return;
     point_test_.gather(axes_tree_, hull, scratch.near);
-    axis_search_.find(points, axes_.data(), group, limits_.sine_fade, scratch.near,
+    axis_search_.find(points, axes_.data(), scratch.slender, limits_.sine_fade, scratch.near,
                       scratch.axes.data());
 }
 

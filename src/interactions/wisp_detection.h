@@ -64,9 +64,9 @@ class WispDetection {
     struct Scratch {
         NearBoxes near; ///< bunches near a group of segments
         /// Per segment of the group.
-        std::array<Rod, kLanes> rods;
         std::array<PointsInside, kLanes> inside;
-        std::array<std::vector<std::uint32_t>, kLanes> axes; ///< that it may meet
+        std::vector<std::uint32_t> slender;                  ///< ranks of those that are
+        std::array<std::vector<std::uint32_t>, kLanes> axes; ///< per slender one: that it may meet
         std::vector<bool> has_met;                           ///< by the present segment
         std::vector<WispContact> contacts;                   ///< of the present chunk
     };
@@ -108,7 +108,6 @@ class WispDetection {
     BoxTree bunch_tree_;            ///< of the points of each bunch
     AlignedVector<AxisBunch> axes_; ///< per bunch; where any is slender
     BoxTree axes_tree_;             ///< of their boxes
-    bool any_slender_ = false;
 
     std::vector<Found> chunks_;
     ContactList list_;

@@ -170,7 +170,7 @@ TEST_CASE("a segment holds the same points for every instruction set and K") {
             PointsInside first;
             for (const PointTest& test : tests) {
                 PointsInside found;
-                test.find(points, {&rank, 1}, {&kEverywhere, 1}, near, &found);
+                test.find(points, {&rank, 1}, near, &found);
                 std::vector<std::uint32_t> certain;
                 for (std::size_t i = 0; i < found.count; ++i) {
                     const std::uint32_t point = found.point[i],

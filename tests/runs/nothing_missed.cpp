@@ -71,7 +71,7 @@ class PointSearch {
 
   private:
     void find(std::uint32_t rank, const NearBoxes& near) {
-        test_.find(points_, {&rank, 1}, {&kEverywhere, 1}, near, &found_);
+        test_.find(points_, {&rank, 1}, near, &found_);
     }
 
     // A section belongs to the simulated segments before and after it; of one wisp, two segments
