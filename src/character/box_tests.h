@@ -49,6 +49,18 @@ struct BoxHeights {
     float slack = 0; ///< more than a height in the box may be off when reckoned in single precision
 };
 
+/// The same of what is within a ball.
+struct BallHeights : BoxHeights {
+    BallHeights(const Vec3& way, const Vec3& centre, float radius)
+        : BoxHeights(
+              way, {centre - Vec3(radius, radius, radius), centre + Vec3(radius, radius, radius)}),
+          distances(Vec3d(centre)),
+          squared(BoxDistances::at_least(double(radius) * double(radius))) {}
+
+    BoxDistances distances;
+    float squared; ///< radius
+};
+
 /// The part of a line from `origin` to `end` times `direction` (not zero) beyond it.
 struct BoxCrossings {
     BoxCrossings(const Vec3d& origin, const Vec3d& direction, double end);

@@ -118,6 +118,10 @@ float PosedSurface::roof(const BoxHeights& heights, float floor, float enough) c
     return surface_search().roof(searched(), heights, floor, enough);
 }
 
+float PosedSurface::roof(const BallHeights& heights, float floor, float enough) const {
+    return surface_search().roof_in_ball(searched(), heights, floor, enough);
+}
+
 bool PosedSurface::outside_bounds(const Vec3d& p) const {
     if (triangles_.empty())
         return true;

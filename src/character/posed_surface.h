@@ -37,6 +37,10 @@ class PosedSurface {
     /// Unit normal of a triangle, outward; zero where it has no area.
     Vec3d normal(std::uint32_t t) const;
 
+    /// The place of a triangle that is nearest to `p`.
+    SurfacePlace place_on(std::uint32_t t, const Vec3d& p) const {
+        return {t, closest_on_triangle(p, triangle(t))};
+    }
     /// The place nearest to `p` within `radius` [m]; of equally near triangles the lowest. `guess`:
     /// a triangle that may be near; a good one saves time, any gives the same answer.
     std::optional<SurfacePlace> nearest(const Vec3d& p, double radius,
@@ -54,9 +58,10 @@ class PosedSurface {
     /// Whether the segment from `a` to `b` goes through any triangle.
     bool crosses(const Vec3d& a, const Vec3d& b) const;
 
-    /// A height that nothing of the surface within a box is over, not under `floor`. It is a bound,
-    /// cheap and not tight; where it is over `enough` it stops short and is none.
+    /// A height that nothing of the surface within a box or a ball is over, not under `floor`. It
+    /// is a bound, cheap and not tight; where it is over `enough` it stops short and is none.
     float roof(const BoxHeights& heights, float floor, float enough) const;
+    float roof(const BallHeights& heights, float floor, float enough) const;
 
     /// Its boxes, in this pose.
     const TriangleTree& tree() const { return tree_; }

@@ -44,6 +44,12 @@ HWY_INLINE Pack highest(const BoxHeights& h, const TriangleTree::Node& node, std
     return select(gap > Pack(0.f), Pack(BoxHeights::kLowest), height);
 }
 
+HWY_INLINE Pack highest(const BallHeights& h, const TriangleTree::Node& node, std::size_t lane) {
+    return select(squared_distances(h.distances, node, lane) > Pack(h.squared),
+                  Pack(BoxHeights::kLowest),
+                  highest(static_cast<const BoxHeights&>(h), node, lane));
+}
+
 /// Over 0 where the line stays clear of the box.
 HWY_INLINE Pack apart(const BoxCrossings& c, const TriangleTree::Node& node, std::size_t lane) {
     const auto low = [&](std::size_t i) {
@@ -227,7 +233,8 @@ void along(const SearchedTriangles& in, const BoxCrossings& line, void* context,
         [&](std::uint32_t i) { return visit(context, i); });
 }
 
-float roof(const SearchedTriangles& in, const BoxHeights& heights, float floor, float enough) {
+template <typename Heights>
+float roof(const SearchedTriangles& in, const Heights& heights, float floor, float enough) {
     float roof = floor;
     alignas(64) float height[TriangleTree::kBoxes];
     walk(
@@ -249,7 +256,7 @@ float roof(const SearchedTriangles& in, const BoxHeights& heights, float floor, 
 }
 
 SurfaceSearch search() {
-    return {nearest, within, along, roof};
+    return {nearest, within, along, roof<BoxHeights>, roof<BallHeights>};
 }
 
 } // namespace mane::HWY_NAMESPACE

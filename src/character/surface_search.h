@@ -38,6 +38,8 @@ struct SurfaceSearch {
     /// See PosedSurface::roof.
     float (*roof)(const SearchedTriangles& in, const BoxHeights& heights, float floor,
                   float enough);
+    float (*roof_in_ball)(const SearchedTriangles& in, const BallHeights& heights, float floor,
+                          float enough);
 };
 /// For the machine's best instruction set.
 const SurfaceSearch& surface_search();

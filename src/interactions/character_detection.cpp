@@ -10,8 +10,6 @@ namespace mane {
 namespace {
 
 constexpr RegionTest::Approach kAll{.section = 0xffff, .segment = 0xffff, .spent = 0};
-/// [m] Wherever a section goes that far beyond its envelope, its region is of use.
-constexpr double kUseful = 0.02;
 /// A support point this near to an envelope point is that point.
 constexpr float kAtEnvelopePoint = 0.98f;
 
@@ -277,8 +275,8 @@ void look_for_contacts(const HairView& hair, std::span<const ContactBody> bodies
             if (i + 1 < sections)
                 segment = std::max(segment, length(Vec3d(wisp.x[i + 1]) - Vec3d(wisp.x[i])));
             regions[b].renew({packet.first_row + i, task.lane}, wisp.x[i],
-                             kUseful + double(wisp.largest_radius(i)) + segment / 2,
-                             carried[i].triangle);
+                             double(wisp.largest_radius(i)) + segment / 2, carried[i].triangle,
+                             carried[i].found);
         }
     }
     // those of one body come sorted
