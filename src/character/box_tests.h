@@ -34,13 +34,6 @@ struct BoxHeights {
     /// `way`: unit, or zero: then all heights are 0.
     BoxHeights(const Vec3& way, const TriangleTree::Box& box);
 
-    /// Not lower than the triangle.
-    float highest(const std::array<Vec3, 3>& corners) const {
-        const Vec3d way(along);
-        const double height = std::max({dot(way, Vec3d(corners[0])), dot(way, Vec3d(corners[1])),
-                                        dot(way, Vec3d(corners[2]))});
-        return static_cast<float>(height + std::abs(height) * double(kBoxRounding));
-    }
     static constexpr float kLowest = -1e30f;
 
     Vec3 along;

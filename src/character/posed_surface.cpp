@@ -14,7 +14,8 @@ Triangle in_double(const std::array<Vec3, 3>& corners) {
 
 PosedSurface::PosedSurface(std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Vec3> rest)
-    : triangles_(triangles), tree_(triangles, rest), corners_(triangles.size()) {
+    : triangles_(triangles), tree_(triangles, rest),
+      leaves_((triangles.size() + TriangleTree::kBoxes - 1) / TriangleTree::kBoxes) {
     pose(rest);
 }
 
@@ -23,9 +24,10 @@ void PosedSurface::pose(std::span<const Vec3> vertices) {
     const auto order = tree_.order();
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto& t = triangles_[order[i]];
-        corners_[i] = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+        for (std::size_t c = 0; c < 3; ++c)
+            leaves_[i / TriangleTree::kBoxes].set(i % TriangleTree::kBoxes, c, vertices[t[c]]);
     }
-    tree_.refit(corners_);
+    tree_.refit(leaves_);
 }
 
 Triangle PosedSurface::triangle(std::uint32_t t) const {
@@ -81,7 +83,8 @@ template <typename Visit> void PosedSurface::along(const Vec3d& origin, const Ve
                                                    double end, Visit&& visit) const {
     const LineCrossing line(origin, direction);
     auto look = [&](std::uint32_t i) {
-        const LineCrossing::Hit hit = line.cross(in_double(corners_[i]));
+        const LineCrossing::Hit hit = line.cross(
+            in_double(leaves_[i / TriangleTree::kBoxes].triangle(i % TriangleTree::kBoxes)));
         return hit.sign == 0 || visit(tree_.order()[i], hit);
     };
     surface_search().along(

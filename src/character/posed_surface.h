@@ -72,7 +72,7 @@ class PosedSurface {
     bool inside(const Vec3d& p) const { return winding(p) > 0; }
 
   private:
-    SearchedTriangles searched() const { return {tree_, corners_}; }
+    SearchedTriangles searched() const { return {tree_, leaves_}; }
     template <typename Visit>
     void along(const Vec3d& origin, const Vec3d& direction, double end, Visit&& visit) const;
     bool outside_bounds(const Vec3d& p) const;
@@ -80,7 +80,7 @@ class PosedSurface {
     std::span<const std::array<std::uint32_t, 3>> triangles_;
     TriangleTree tree_;
     std::vector<Vec3> vertices_;
-    std::vector<std::array<Vec3, 3>> corners_; // the triangles in the tree's order
+    AlignedVector<TriangleTree::Leaf> leaves_; // the triangles in the tree's order
 };
 
 } // namespace mane

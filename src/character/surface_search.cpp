@@ -8,8 +8,12 @@
 #include "base/pack-inl.h"
 #include "character/closest-inl.h"
 
+#include <bit>
+
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
+
+inline constexpr std::uint32_t kLeaf = TriangleTree::kBoxes;
 
 /// One bit per box of a node for which test(lane) holds.
 template <typename Test> HWY_INLINE std::uint32_t boxes_with(Test&& test) {
@@ -50,6 +54,18 @@ HWY_INLINE Pack highest(const BallHeights& h, const TriangleTree::Node& node, st
                   highest(static_cast<const BoxHeights&>(h), node, lane));
 }
 
+/// Not lower than the triangles.
+HWY_INLINE Pack highest(const Vec3& along, const TriangleTree::Leaf& leaf, std::size_t lane) {
+    const Pack3 way = broadcast(along), size{absolute(way.x), absolute(way.y), absolute(way.z)};
+    Pack top(BoxHeights::kLowest);
+    for (const auto& corner : leaf.corner) {
+        const Pack3 p = Pack3::load(corner[0] + lane);
+        const Pack3 far{absolute(p.x), absolute(p.y), absolute(p.z)};
+        top = larger(top, dot(way, p) + dot(size, far) * Pack(kBoxRounding));
+    }
+    return top;
+}
+
 /// Over 0 where the line stays clear of the box.
 HWY_INLINE Pack apart(const BoxCrossings& c, const TriangleTree::Node& node, std::size_t lane) {
     const auto low = [&](std::size_t i) {
@@ -70,8 +86,8 @@ HWY_INLINE Pack apart(const BoxCrossings& c, const TriangleTree::Node& node, std
     return gap;
 }
 
-/// Goes through the boxes of every node that look_into(node) gives the bits of, and calls visit(i)
-/// for the triangles there, i their place in the tree's order, until it returns false.
+/// Goes through the nodes that look_into(node) gives bits of, a bit per box, and calls
+/// visit(leaf, bits) where these are triangles, until it returns false.
 template <typename LookInto, typename Visit>
 HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& visit) {
     struct Level {
@@ -81,8 +97,14 @@ HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& vis
     if (tree.levels() == 0)
         return;
     const std::size_t top = tree.levels() - 1;
+    const std::uint32_t all = look_into(tree.node(top, 0));
+    if (top == 0) {
+        if (all != 0)
+            visit(0u, all);
+        return;
+    }
     std::size_t level = top;
-    stack[top] = {0, look_into(tree.node(top, 0))};
+    stack[top] = {0, all};
     for (;;) {
         Level& now = stack[level];
         if (now.left == 0) {
@@ -91,43 +113,25 @@ HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& vis
             ++level;
             continue;
         }
-        const auto box = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(now.left));
+        const auto box = static_cast<std::uint32_t>(std::countr_zero(now.left));
         now.left &= now.left - 1;
-        const auto inner = now.node * static_cast<std::uint32_t>(TriangleTree::kBoxes) + box;
-        if (level > 0) {
-            --level;
-            if (now.left != 0) // the next one, meanwhile
-                __builtin_prefetch(
-                    &tree.node(level, now.node * TriangleTree::kBoxes +
-                                          hwy::Num0BitsBelowLS1Bit_Nonzero32(now.left)));
-            stack[level] = {inner, look_into(tree.node(level, inner))};
-        } else if (!visit(inner)) {
+        const auto inner = now.node * kLeaf + box;
+        const std::uint32_t bits = look_into(tree.node(level - 1, inner));
+        if (level > 1)
+            stack[--level] = {inner, bits};
+        else if (bits != 0 && !visit(inner, bits))
             return;
-        }
     }
 }
 
-/// The nearest place so far, and what rules out most triangles before their own nearest place is
-/// worked out: those wholly under the plane through the place across the way to it. All of that
-/// side is farther.
+/// The nearest place so far.
 struct Nearest {
-    static constexpr double kRounding = 1e-9; // [m] far over that of distances in double
-
-    Vec3d p;
     double limit; // squared
     float limit_of_boxes;
     std::optional<SurfacePlace> place;
-    Vec3d away; // unit, from the place to the point
-    double plane = 0;
 
-    Nearest(const Vec3d& from, double radius)
-        : p(from), limit(radius * radius), limit_of_boxes(BoxDistances::at_least(limit)) {}
-    bool rules_out(const std::array<Vec3, 3>& corners) const {
-        if (!place)
-            return false;
-        const auto under = [&](const Vec3& corner) { return dot(Vec3d(corner) - p, away) < plane; };
-        return under(corners[0]) && under(corners[1]) && under(corners[2]);
-    }
+    explicit Nearest(double radius)
+        : limit(radius * radius), limit_of_boxes(BoxDistances::at_least(limit)) {}
     void take(const SurfacePlace& candidate) {
         const double squared = candidate.closest.squared;
         if (squared > limit || (place && squared == limit && candidate.triangle >= place->triangle))
@@ -135,14 +139,12 @@ struct Nearest {
         place = candidate;
         limit = squared;
         limit_of_boxes = BoxDistances::at_least(limit);
-        away = normalized(p - candidate.closest.point);
-        plane = -std::sqrt(limit) - kRounding;
     }
 };
 
 std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p, double radius) {
     const TriangleTree& tree = in.tree;
-    Nearest best(p, radius);
+    Nearest best(radius);
     if (tree.levels() == 0)
         return best.place;
     const BoxDistances distances(p);
@@ -153,29 +155,24 @@ std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p,
         });
     };
     const auto take_all = [&] {
-        candidates.evaluate([&](const ClosestPoint& closest, std::uint32_t i) {
+        candidates.evaluate(best.limit, [&](const ClosestPoint& closest, std::uint32_t i) {
             best.take({tree.order()[i], closest});
         });
+    };
+    const auto add = [&](std::uint32_t leaf, std::uint32_t bits) {
+        candidates.add(in.leaves[leaf], bits, leaf * kLeaf);
+        if (candidates.full())
+            take_all();
+        return true;
     };
 
     // First down to where the nearest boxes are: what is found there rules out most others.
     std::uint32_t inner = 0;
-    for (std::size_t level = tree.levels(); level-- > 0;) {
+    for (std::size_t level = tree.levels(); --level > 0;) {
         const TriangleTree::Node& node = tree.node(level, inner);
         alignas(64) float squared[TriangleTree::kBoxes];
         for (std::size_t lane = 0; lane < TriangleTree::kBoxes; lane += kPackLanes)
             squared_distances(distances, node, lane).store(squared + lane);
-        if (level == 0) {
-            for (std::uint32_t left = look_into(node); left != 0; left &= left - 1) {
-                const auto i = static_cast<std::uint32_t>(inner * TriangleTree::kBoxes +
-                                                          hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
-                if (candidates.full())
-                    take_all();
-                candidates.add(i, in.corners[i]);
-            }
-            take_all();
-            break;
-        }
         const float* least = squared;
         for (const float* s = squared; s != squared + TriangleTree::kBoxes; ++s)
             if (*s < *least)
@@ -183,13 +180,9 @@ std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p,
         inner = static_cast<std::uint32_t>(inner * TriangleTree::kBoxes +
                                            static_cast<std::size_t>(least - squared));
     }
-    walk(tree, look_into, [&](std::uint32_t i) {
-        if (!best.rules_out(in.corners[i]))
-            candidates.add(i, in.corners[i]);
-        if (candidates.full())
-            take_all();
-        return true;
-    });
+    add(inner, look_into(tree.node(0, inner)));
+    take_all();
+    walk(tree, look_into, add);
     take_all();
     return best.place;
 }
@@ -201,9 +194,8 @@ void within(const SearchedTriangles& in, const Vec3d& p, double radius,
     const BoxDistances distances(p);
     Candidates candidates(p);
     const auto take_all = [&] {
-        candidates.evaluate([&](const ClosestPoint& closest, std::uint32_t i) {
-            if (closest.squared <= limit)
-                places.push_back({in.tree.order()[i], closest});
+        candidates.evaluate(limit, [&](const ClosestPoint& closest, std::uint32_t i) {
+            places.push_back({in.tree.order()[i], closest});
         });
     };
     walk(
@@ -213,8 +205,8 @@ void within(const SearchedTriangles& in, const Vec3d& p, double radius,
                 return squared_distances(distances, node, lane) <= limit_of_boxes;
             });
         },
-        [&](std::uint32_t i) {
-            candidates.add(i, in.corners[i]);
+        [&](std::uint32_t leaf, std::uint32_t bits) {
+            candidates.add(in.leaves[leaf], bits, leaf * kLeaf);
             if (candidates.full())
                 take_all();
             return true;
@@ -230,7 +222,14 @@ void along(const SearchedTriangles& in, const BoxCrossings& line, void* context,
             return boxes_with(
                 [&](std::size_t lane) { return apart(line, node, lane) <= Pack(0.f); });
         },
-        [&](std::uint32_t i) { return visit(context, i); });
+        [&](std::uint32_t leaf, std::uint32_t bits) {
+            for (; bits != 0; bits &= bits - 1) {
+                const auto box = static_cast<std::uint32_t>(std::countr_zero(bits));
+                if (!visit(context, leaf * kLeaf + box))
+                    return false;
+            }
+            return true;
+        });
 }
 
 template <typename Heights>
@@ -246,10 +245,13 @@ float roof(const SearchedTriangles& in, const Heights& heights, float floor, flo
                 return here > Pack(roof);
             });
         },
-        [&](std::uint32_t i) {
-            const float top = height[i % TriangleTree::kBoxes];
-            if (top > roof)
-                roof = std::max(roof, std::min(top, heights.highest(in.corners[i])));
+        [&](std::uint32_t leaf, std::uint32_t bits) {
+            alignas(64) float top[TriangleTree::kBoxes];
+            for (std::size_t lane = 0; lane < TriangleTree::kBoxes; lane += kPackLanes)
+                smaller(Pack::load(height + lane), highest(heights.along, in.leaves[leaf], lane))
+                    .store(top + lane);
+            for (; bits != 0; bits &= bits - 1)
+                roof = std::max(roof, top[std::countr_zero(bits)]);
             return roof <= enough;
         });
     return roof;

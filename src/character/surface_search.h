@@ -19,7 +19,7 @@ struct SurfacePlace {
 /// A tree and the triangles in its order.
 struct SearchedTriangles {
     const TriangleTree& tree;
-    std::span<const std::array<Vec3, 3>> corners;
+    std::span<const TriangleTree::Leaf> leaves;
 };
 
 /// The searches that go through many boxes and triangles, compiled once per instruction set. What
