@@ -14,8 +14,11 @@ Triangle in_double(const std::array<Vec3, 3>& corners) {
 
 PosedSurface::PosedSurface(std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Vec3> rest)
-    : triangles_(triangles), tree_(triangles, rest),
-      leaves_((triangles.size() + TriangleTree::kBoxes - 1) / TriangleTree::kBoxes) {
+    : triangles_(triangles), tree_(triangles, rest), place_(triangles.size()),
+      leaves_((triangles.size() + TriangleTree::kBoxes - 1) / TriangleTree::kBoxes),
+      areas_(leaves_.size()) {
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        place_[tree_.order()[i]] = i;
     pose(rest);
 }
 
@@ -28,16 +31,12 @@ void PosedSurface::pose(std::span<const Vec3> vertices) {
             leaves_[i / TriangleTree::kBoxes].set(i % TriangleTree::kBoxes, c, vertices[t[c]]);
     }
     tree_.refit(leaves_);
+    surface_search().areas(leaves_, areas_);
 }
 
 Triangle PosedSurface::triangle(std::uint32_t t) const {
     const auto& corner = triangles_[t];
     return in_double({vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]});
-}
-
-Vec3d PosedSurface::normal(std::uint32_t t) const {
-    const Triangle corners = triangle(t);
-    return normalized(cross(corners.b - corners.a, corners.c - corners.a));
 }
 
 std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,

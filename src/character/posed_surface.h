@@ -34,8 +34,13 @@ class PosedSurface {
 
     std::span<const Vec3> vertices() const { return vertices_; }
     Triangle triangle(std::uint32_t t) const;
-    /// Unit normal of a triangle, outward; zero where it has no area.
-    Vec3d normal(std::uint32_t t) const;
+    /// Along a triangle's normal, outward, and twice as long as its area [m²].
+    Vec3d area(std::uint32_t t) const {
+        const std::uint32_t place = place_[t];
+        return areas_[place / TriangleTree::kBoxes].of(place % TriangleTree::kBoxes);
+    }
+    /// Its unit normal; zero where it has no area.
+    Vec3d normal(std::uint32_t t) const { return normalized(area(t)); }
 
     /// The place of a triangle that is nearest to `p`.
     SurfacePlace place_on(std::uint32_t t, const Vec3d& p) const {
@@ -80,7 +85,9 @@ class PosedSurface {
     std::span<const std::array<std::uint32_t, 3>> triangles_;
     TriangleTree tree_;
     std::vector<Vec3> vertices_;
+    std::vector<std::uint32_t> place_;         // of each triangle in the tree's order
     AlignedVector<TriangleTree::Leaf> leaves_; // the triangles in the tree's order
+    AlignedVector<TriangleTree::Areas> areas_; // theirs
 };
 
 } // namespace mane

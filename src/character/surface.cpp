@@ -18,10 +18,10 @@ constexpr float kSame = 5e-6f;
 struct Axes {
     Vec3d origin, along, across, normal;
 };
-Axes axes_of(const Triangle& t) {
-    const Vec3d along = normalized(t.b - t.a);
-    const Vec3d normal = normalized(cross(t.b - t.a, t.c - t.a));
-    return {t.a, along, cross(normal, along), normal};
+Axes axes_of(const PosedSurface& pose, std::uint32_t t) {
+    const Triangle corners = pose.triangle(t);
+    const Vec3d along = normalized(corners.b - corners.a), normal = pose.normal(t);
+    return {corners.a, along, cross(normal, along), normal};
 }
 
 Vec3d turned(const Axes& from, const Axes& to, const Vec3d& d) {
@@ -137,10 +137,8 @@ void Surface::sort_by_vertex() {
 // that hair is about to touch.
 Vec3d Surface::vertex_normal(std::uint32_t v) const {
     Vec3d sum;
-    for (std::uint32_t i = at_vertex_.first(v); i < at_vertex_.last(v); ++i) {
-        const Triangle t = start().triangle(triangles_at_[i]);
-        sum += cross(t.b - t.a, t.c - t.a);
-    }
+    for (std::uint32_t i = at_vertex_.first(v); i < at_vertex_.last(v); ++i)
+        sum += start().area(triangles_at_[i]);
     return sum;
 }
 
@@ -157,12 +155,12 @@ Vec3d Surface::smooth_normal(const SurfacePlace& place) const {
 }
 
 Vec3d Surface::carried_point(std::uint32_t t, const Vec3d& p) const {
-    const Axes from = axes_of(start().triangle(t)), to = axes_of(end().triangle(t));
+    const Axes from = axes_of(start(), t), to = axes_of(end(), t);
     return to.origin + turned(from, to, p - from.origin);
 }
 
 Vec3d Surface::carried_direction(std::uint32_t t, const Vec3d& d) const {
-    return turned(axes_of(start().triangle(t)), axes_of(end().triangle(t)), d);
+    return turned(axes_of(start(), t), axes_of(end(), t), d);
 }
 
 } // namespace mane

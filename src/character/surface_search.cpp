@@ -257,8 +257,23 @@ float roof(const SearchedTriangles& in, const Heights& heights, float floor, flo
     return roof;
 }
 
+void areas(std::span<const TriangleTree::Leaf> leaves, std::span<TriangleTree::Areas> areas) {
+    for (std::size_t n = 0; n < leaves.size(); ++n)
+        for (std::size_t i = 0; i < TriangleTree::kBoxes; i += Doubles::kCount) {
+            const auto corner = [&](std::size_t c) -> Doubles3 {
+                const auto& axis = leaves[n].corner[c];
+                return {Doubles::load(axis[0] + i), Doubles::load(axis[1] + i),
+                        Doubles::load(axis[2] + i)};
+            };
+            const Doubles3 a = corner(0), area = cross(corner(1) - a, corner(2) - a);
+            area.x.store(areas[n].axis[0] + i);
+            area.y.store(areas[n].axis[1] + i);
+            area.z.store(areas[n].axis[2] + i);
+        }
+}
+
 SurfaceSearch search() {
-    return {nearest, within, along, roof<BoxHeights>, roof<BallHeights>};
+    return {nearest, within, along, areas, roof<BoxHeights>, roof<BallHeights>};
 }
 
 } // namespace mane::HWY_NAMESPACE

@@ -35,6 +35,8 @@ struct SurfaceSearch {
     /// order, until it returns false.
     void (*along)(const SearchedTriangles& in, const BoxCrossings& line, void* context,
                   bool (*visit)(void* context, std::uint32_t i));
+    /// Of all triangles.
+    void (*areas)(std::span<const TriangleTree::Leaf> leaves, std::span<TriangleTree::Areas> areas);
     /// See PosedSurface::roof.
     float (*roof)(const SearchedTriangles& in, const BoxHeights& heights, float floor,
                   float enough);

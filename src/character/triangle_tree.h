@@ -40,6 +40,13 @@ class TriangleTree {
             corner[c][0][i] = p.x, corner[c][1][i] = p.y, corner[c][2][i] = p.z;
         }
     };
+    /// Of the triangles of a leaf, [axis][triangle]: the cross product of the edges from the first
+    /// corner, along the normal and twice as long as the area [m²].
+    struct alignas(64) Areas {
+        double axis[3][kBoxes];
+
+        Vec3d of(std::size_t i) const { return {axis[0][i], axis[1][i], axis[2][i]}; }
+    };
     /// Triangles that lie together.
     struct Group {
         std::uint32_t first, count; ///< of `order`
