@@ -34,11 +34,6 @@ void PosedSurface::pose(std::span<const Vec3> vertices) {
     surface_search().areas(leaves_, areas_);
 }
 
-Triangle PosedSurface::triangle(std::uint32_t t) const {
-    const auto& corner = triangles_[t];
-    return in_double({vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]});
-}
-
 std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
                                                   std::uint32_t guess) const {
     if (guess < triangles_.size()) {

@@ -33,7 +33,11 @@ class PosedSurface {
     void pose(std::span<const Vec3> vertices);
 
     std::span<const Vec3> vertices() const { return vertices_; }
-    Triangle triangle(std::uint32_t t) const;
+    Triangle triangle(std::uint32_t t) const {
+        const auto& corner = triangles_[t];
+        return {Vec3d(vertices_[corner[0]]), Vec3d(vertices_[corner[1]]),
+                Vec3d(vertices_[corner[2]])};
+    }
     /// Along a triangle's normal, outward, and twice as long as its area [m²].
     Vec3d area(std::uint32_t t) const {
         const std::uint32_t place = place_[t];

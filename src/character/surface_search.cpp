@@ -93,18 +93,12 @@ HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& vis
     struct Level {
         std::uint32_t node, left; // of its boxes to look into, those not yet visited
     };
-    Level stack[TriangleTree::kLevels];
-    if (tree.levels() == 0)
+    Level stack[TriangleTree::kLevels + 1];
+    const std::size_t top = tree.levels(); // of one box, the last node's
+    if (top == 0)
         return;
-    const std::size_t top = tree.levels() - 1;
-    const std::uint32_t all = look_into(tree.node(top, 0));
-    if (top == 0) {
-        if (all != 0)
-            visit(0u, all);
-        return;
-    }
     std::size_t level = top;
-    stack[top] = {0, all};
+    stack[top] = {0, 1};
     for (;;) {
         Level& now = stack[level];
         if (now.left == 0) {

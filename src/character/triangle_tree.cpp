@@ -85,8 +85,10 @@ TriangleTree::TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangl
 // Cuts a range along its longest side, into halves that fill whole nodes. A stable sort, so that
 // every library makes the same tree (M39).
 void TriangleTree::sort(std::span<const Vec3> centres, std::span<std::uint32_t> range) {
-    if (range.size() <= kBoxes)
+    if (range.size() <= kBoxes) {
+        std::sort(range.begin(), range.end()); // what is found comes almost in their own order
         return;
+    }
     Box box{centres[range[0]], centres[range[0]]};
     for (const std::uint32_t t : range)
         box = both(box, {centres[t], centres[t]});
