@@ -59,15 +59,28 @@ void Surface::take_frames(std::size_t end, std::span<const RigidFrame> frames) {
 }
 
 void Surface::reset(std::span<const Vec3> vertices, std::span<const RigidFrame> frames) {
-    take(vertices);
-    poses_[1 - start_].pose(closed_vertices_);
-    take_frames(0, frames);
-    take_frames(1, frames);
-    drift_.follow(closed_vertices_, frames, was_reset_);
-    for (std::size_t f = 0; f < drift_.frames(); ++f)
-        jumps_ += drift_.of_any(f) > kSame;
+    if (!is_at(vertices, frames)) {
+        take(vertices);
+        poses_[1 - start_].pose(closed_vertices_);
+        take_frames(1 - start_, frames);
+        drift_.follow(closed_vertices_, frames, strayed_);
+        for (std::size_t f = 0; f < drift_.frames(); ++f)
+            jumps_ += drift_.of_any(f) > kSame;
+        strayed_ = true;
+    }
+    frames_[start_] = frames_[1 - start_];
     was_reset_ = true;
     duration_ = fastest_ = 0;
+}
+
+bool Surface::is_at(std::span<const Vec3> vertices, std::span<const RigidFrame> frames) const {
+    const std::size_t count = std::min(frames.size(), Drift::kFrames);
+    return count == drift_.frames() &&
+           std::equal(frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(count),
+                      frames_[1 - start_].begin()) &&
+           std::equal(vertices.begin(),
+                      vertices.begin() + static_cast<std::ptrdiff_t>(mesh_.vertex_count),
+                      closed_vertices_.begin());
 }
 
 void Surface::advance(std::span<const Vec3> vertices, double duration,
@@ -76,8 +89,8 @@ void Surface::advance(std::span<const Vec3> vertices, double duration,
     take(vertices);
     poses_[1 - start_].pose(closed_vertices_);
     take_frames(1 - start_, frames);
-    drift_.follow(closed_vertices_, frames, was_reset_);
-    was_reset_ = false;
+    drift_.follow(closed_vertices_, frames, strayed_);
+    strayed_ = was_reset_ = false;
     ++block_;
 
     const auto from = start().vertices();
