@@ -120,7 +120,7 @@ class Detector {
             distance = std::sqrt(
                 closest_on_triangle(reach.from, surface_.start().triangle(before)).squared);
         if (distance > reach.clear) {
-            reach.place = surface_.start().nearest(reach.from, reach.clear, before);
+            reach.place = surface_.start().nearest(reach.from, reach.clear);
             if (!reach.place)
                 return false;
             distance = std::sqrt(reach.place->closest.squared);
