@@ -81,6 +81,17 @@ HWY_INLINE std::uint32_t bits_of(Mask mask) {
     hn::StoreMaskBits(Tag(), mask.m, bytes);
     return bytes[0] | std::uint32_t{bytes[1]} << 8;
 }
+/// The other way round: of the lowest bits.
+HWY_INLINE Mask mask_of(std::uint32_t bits) {
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(bits),
+                                   static_cast<std::uint8_t>(bits >> 8)};
+    return {hn::LoadMaskBits(Tag(), bytes)};
+}
+/// The lanes where the mask holds, one after the other, wherever `p` points. What follows them, a
+/// whole Pack from `p` on, is written over.
+HWY_INLINE void store_compressed(Pack a, Mask mask, float* p) {
+    hn::StoreU(hn::Compress(a.v, mask.m), Tag(), p);
+}
 /// Where the mask holds `a`, elsewhere `b`.
 HWY_INLINE Pack select(Mask m, Pack a, Pack b) {
     return hn::IfThenElse(m.m, a.v, b.v);

@@ -22,6 +22,7 @@ template <std::size_t kMost> struct RealsMask {
     friend HWY_INLINE RealsMask operator&(RealsMask a, RealsMask b) { return {a.m && b.m}; }
     friend HWY_INLINE RealsMask operator|(RealsMask a, RealsMask b) { return {a.m || b.m}; }
     HWY_INLINE bool none() const { return !m; }
+    HWY_INLINE std::uint32_t bits() const { return m; }
 };
 
 template <std::size_t kMost> struct Reals {
@@ -61,6 +62,12 @@ template <std::size_t kMost> struct RealsMask {
     friend HWY_INLINE RealsMask operator&(RealsMask a, RealsMask b) { return {hn::And(a.m, b.m)}; }
     friend HWY_INLINE RealsMask operator|(RealsMask a, RealsMask b) { return {hn::Or(a.m, b.m)}; }
     HWY_INLINE bool none() const { return hn::AllFalse(hn::CappedTag<double, kMost>(), m); }
+    /// One per lane, of which there are eight at most.
+    HWY_INLINE std::uint32_t bits() const {
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(hn::CappedTag<double, kMost>(), m, bytes);
+        return bytes[0];
+    }
 };
 
 template <std::size_t kMost> struct Reals {

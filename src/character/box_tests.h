@@ -34,19 +34,24 @@ struct BoxHeights {
     /// `way`: unit, or zero: then all heights are 0.
     BoxHeights(const Vec3& way, const TriangleTree::Box& box);
 
-    /// Not lower than the triangle.
-    float highest(const std::array<Vec3, 3>& corners) const {
-        const Vec3d way(along);
-        const double height = std::max({dot(way, Vec3d(corners[0])), dot(way, Vec3d(corners[1])),
-                                        dot(way, Vec3d(corners[2]))});
-        return static_cast<float>(height + std::abs(height) * double(kBoxRounding));
-    }
     static constexpr float kLowest = -1e30f;
 
     Vec3 along;
     std::array<float, 3> up, down; ///< the way's parts that are positive, and negative
     std::array<float, 3> low, high;
     float slack = 0; ///< more than a height in the box may be off when reckoned in single precision
+};
+
+/// The same of what is within a ball.
+struct BallHeights : BoxHeights {
+    BallHeights(const Vec3& way, const Vec3& centre, float radius)
+        : BoxHeights(
+              way, {centre - Vec3(radius, radius, radius), centre + Vec3(radius, radius, radius)}),
+          distances(Vec3d(centre)),
+          squared(BoxDistances::at_least(double(radius) * double(radius))) {}
+
+    BoxDistances distances;
+    float squared; ///< radius
 };
 
 /// The part of a line from `origin` to `end` times `direction` (not zero) beyond it.

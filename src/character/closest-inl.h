@@ -7,6 +7,10 @@
 #endif
 
 #include "base/reals-inl.h"
+#include "character/triangle_geometry.h"
+#include "character/triangle_tree.h"
+
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
@@ -62,34 +66,43 @@ HWY_INLINE ClosestPoints closest_on_triangles(Doubles3 p, Doubles3 a, Doubles3 b
     return {point, w, dot(gap, gap)};
 }
 
-/// Triangles whose nearest points are wanted, a few vectors of them.
+/// Triangles whose nearest points are wanted, some vectors of them.
 class Candidates {
   public:
-    HWY_INLINE explicit Candidates(const Vec3d& p) : p_(p) {}
+    HWY_INLINE explicit Candidates(const Vec3d& p) : p_{p.x, p.y, p.z} {}
 
-    HWY_INLINE bool full() const { return count_ == kMost; }
-    HWY_INLINE void add(std::uint32_t i, const std::array<Vec3, 3>& corners) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            corner_[3 * c][count_] = double(corners[c].x);
-            corner_[3 * c + 1][count_] = double(corners[c].y);
-            corner_[3 * c + 2][count_] = double(corners[c].z);
+    /// Those of the sixteen whose bits are set; `first`: the number of the first.
+    HWY_INLINE void add(const TriangleTree::Leaf& leaf, std::uint32_t bits, std::uint32_t first) {
+        for (std::size_t lane = 0; lane < TriangleTree::kBoxes; lane += kPackLanes) {
+            const Mask mask = mask_of(bits >> lane);
+            std::size_t to = count_ + std::popcount(bits & ((1u << lane) - 1));
+            for (std::size_t c = 0; c < 9; ++c)
+                store_compressed(Pack::load(leaf.corner[c / 3][c % 3] + lane), mask,
+                                 corner_[c] + to);
         }
-        number_[count_++] = i;
+        for (; bits != 0; bits &= bits - 1)
+            number_[count_++] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
     }
+    /// Whether there may be no room for those of one more leaf.
+    HWY_INLINE bool full() const { return count_ > kMost - TriangleTree::kBoxes; }
 
-    /// Calls use(closest, i) for each, in order; then there are none.
-    template <typename Use> HWY_INLINE void evaluate(Use&& use) {
-        const Doubles3 p{p_.x, p_.y, p_.z};
+    /// Calls use(closest, number) for each whose squared distance is no more than `limit`, in
+    /// order; then there are none.
+    template <typename Use> HWY_INLINE void evaluate(double limit, Use&& use) {
+        for (auto& numbers : corner_) // the last vector is read whole
+            Pack(0.f).store_any(numbers + count_);
         for (std::size_t first = 0; first < count_; first += Doubles::kCount) {
-            for (std::size_t i = count_; i < first + Doubles::kCount; ++i)
-                for (auto& numbers : corner_)
-                    numbers[i] = numbers[first];
             const auto corner = [&](std::size_t c) -> Doubles3 {
                 return {Doubles::load(corner_[3 * c] + first),
                         Doubles::load(corner_[3 * c + 1] + first),
                         Doubles::load(corner_[3 * c + 2] + first)};
             };
-            const ClosestPoints found = closest_on_triangles(p, corner(0), corner(1), corner(2));
+            const ClosestPoints found = closest_on_triangles(p_, corner(0), corner(1), corner(2));
+            std::uint32_t near = (found.squared <= Doubles(limit)).bits();
+            if (count_ - first < Doubles::kCount)
+                near &= (1u << (count_ - first)) - 1;
+            if (near == 0)
+                continue;
             alignas(64) double numbers[7][Doubles::kCount];
             found.point.x.store(numbers[0]);
             found.point.y.store(numbers[1]);
@@ -98,7 +111,8 @@ class Candidates {
             found.barycentric.y.store(numbers[4]);
             found.barycentric.z.store(numbers[5]);
             found.squared.store(numbers[6]);
-            for (std::size_t i = 0; i < Doubles::kCount && first + i < count_; ++i) {
+            for (; near != 0; near &= near - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(near));
                 ClosestPoint closest;
                 closest.point = {numbers[0][i], numbers[1][i], numbers[2][i]};
                 closest.barycentric = {numbers[3][i], numbers[4][i], numbers[5][i]};
@@ -110,10 +124,10 @@ class Candidates {
     }
 
   private:
-    static constexpr std::size_t kMost = 16;
-    Vec3d p_;
+    static constexpr std::size_t kMost = 2 * TriangleTree::kBoxes;
+    Doubles3 p_;
     std::size_t count_ = 0;
-    alignas(64) double corner_[9][kMost + 8];
+    float corner_[9][kMost + kPackLanes];
     std::uint32_t number_[kMost];
 };
 

@@ -16,24 +16,28 @@ constexpr float kHabit = 0.1f; // weight of the last way in the mean
 } // namespace
 
 Drift::Drift(std::span<const std::array<std::uint32_t, 3>> triangles, const TriangleTree& tree) {
+    std::vector<std::uint32_t> of_group;
     for (const TriangleTree::Group& group : tree.groups()) {
-        first_.push_back(static_cast<std::uint32_t>(vertex_.size()));
+        of_group.clear();
         for (std::uint32_t t : tree.order().subspan(group.first, group.count))
-            vertex_.insert(vertex_.end(), triangles[t].begin(), triangles[t].end());
-        const auto begin = vertex_.begin() + first_.back();
-        std::sort(begin, vertex_.end());
-        vertex_.erase(std::unique(begin, vertex_.end()), vertex_.end());
+            of_group.insert(of_group.end(), triangles[t].begin(), triangles[t].end());
+        std::sort(of_group.begin(), of_group.end());
+        of_group.erase(std::unique(of_group.begin(), of_group.end()), of_group.end());
+        of_group.resize((of_group.size() + 3) / 4 * 4, of_group.back());
+        first_.push_back(static_cast<std::uint32_t>(vertex_.size()));
+        for (std::size_t i = 0; i < of_group.size(); i += 4)
+            vertex_.push_back({of_group[i], of_group[i + 1], of_group[i + 2], of_group[i + 3]});
     }
     first_.push_back(static_cast<std::uint32_t>(vertex_.size()));
-    for (auto* numbers : {&x_, &y_, &z_})
-        numbers->resize(vertex_.size());
+    now_.resize(vertex_.size());
 }
 
 void Drift::follow(std::span<const Vec3> vertices, std::span<const RigidFrame> frames,
                    bool further) {
     for (std::size_t i = 0; i < vertex_.size(); ++i) {
-        const Vec3& p = vertices[vertex_[i]];
-        x_[i] = p.x, y_[i] = p.y, z_[i] = p.z;
+        const Vec3 &a = vertices[vertex_[i][0]], &b = vertices[vertex_[i][1]],
+                   &c = vertices[vertex_[i][2]], &d = vertices[vertex_[i][3]];
+        now_[i] = {Four{a.x, b.x, c.x, d.x}, Four{a.y, b.y, c.y, d.y}, Four{a.z, b.z, c.z, d.z}};
     }
     frames_ = std::min(frames.size(), kFrames);
     for (std::size_t f = 0; f < frames_; ++f) {
@@ -53,24 +57,30 @@ void Drift::follow(std::span<const Vec3> vertices, std::span<const RigidFrame> f
 }
 
 Drift::OfGroups Drift::strayed(std::size_t f, const RigidFrame& frame) {
-    const Vec3 x(frame.x), y(frame.y), z(frame.z), o(frame.origin);
-    std::vector<float>&before_x = local_x_[f], &before_y = local_y_[f], &before_z = local_z_[f];
-    before_x.resize(vertex_.size());
-    before_y.resize(vertex_.size());
-    before_z.resize(vertex_.size());
+    const auto along = [](const Vec3d& axis) -> FourPlaces {
+        const Vec3 a(axis);
+        return {four(a.x), four(a.y), four(a.z)};
+    };
+    const auto times = [](const FourPlaces& a, const FourPlaces& b) {
+        return a.x * b.x + a.y * b.y + a.z * b.z;
+    };
+    const FourPlaces x = along(frame.x), y = along(frame.y), z = along(frame.z),
+                     origin = along(frame.origin);
+    local_[f].resize(vertex_.size());
     OfGroups farthest{};
     for (std::size_t g = 0; g + 1 < first_.size(); ++g) {
-        float squared = 0;
+        Four squared{};
         for (std::size_t i = first_[g]; i < first_[g + 1]; ++i) {
-            const float px = x_[i] - o.x, py = y_[i] - o.y, pz = z_[i] - o.z;
-            const float lx = x.x * px + x.y * py + x.z * pz, ly = y.x * px + y.y * py + y.z * pz,
-                        lz = z.x * px + z.y * py + z.z * pz;
-            const float dx = lx - before_x[i], dy = ly - before_y[i], dz = lz - before_z[i];
-            const float size = dx * dx + dy * dy + dz * dz;
-            squared = squared > size ? squared : size;
-            before_x[i] = lx, before_y[i] = ly, before_z[i] = lz;
+            const FourPlaces& p = now_[i];
+            FourPlaces& before = local_[f][i];
+            const FourPlaces arm{p.x - origin.x, p.y - origin.y, p.z - origin.z};
+            const FourPlaces local{times(x, arm), times(y, arm), times(z, arm)};
+            const FourPlaces way{local.x - before.x, local.y - before.y, local.z - before.z};
+            squared = larger(squared, times(way, way));
+            before = local;
         }
-        farthest[g] = std::sqrt(squared) + kRounding;
+        farthest[g] =
+            std::sqrt(std::max({squared[0], squared[1], squared[2], squared[3]})) + kRounding;
     }
     return farthest;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/four.h"
 #include "character/rigid_frame.h"
 #include "character/triangle_tree.h"
 
@@ -36,14 +37,17 @@ class Drift {
     float habit(std::size_t f, std::uint64_t groups) const;
 
   private:
+    struct FourPlaces {
+        Four x{}, y{}, z{};
+    };
     using OfGroups = std::array<float, kGroups>;
     OfGroups strayed(std::size_t f, const RigidFrame& frame);
 
     std::size_t frames_ = 0;
-    std::vector<std::uint32_t> vertex_; // of all groups, group after group
-    std::vector<std::uint32_t> first_;  // place of each group's first vertex, and the end
-    std::vector<float> x_, y_, z_;      // of these vertices, now
-    std::array<std::vector<float>, kFrames> local_x_, local_y_, local_z_; // in each frame, before
+    std::vector<std::array<std::uint32_t, 4>> vertex_; // of all groups, group after group
+    std::vector<std::uint32_t> first_; // place of each group's first vertices, and the end
+    std::vector<FourPlaces> now_;      // of the vertices
+    std::array<std::vector<FourPlaces>, kFrames> local_; // in each frame, before
     std::array<OfGroups, kFrames> strayed_{}, habit_{};
     std::array<float, kFrames> any_{}, quiet_{};
     std::array<std::uint64_t, kFrames> loud_{}; // groups that strayed by more than quiet_

@@ -14,7 +14,11 @@ Triangle in_double(const std::array<Vec3, 3>& corners) {
 
 PosedSurface::PosedSurface(std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Vec3> rest)
-    : triangles_(triangles), tree_(triangles, rest), corners_(triangles.size()) {
+    : triangles_(triangles), tree_(triangles, rest), place_(triangles.size()),
+      leaves_((triangles.size() + TriangleTree::kBoxes - 1) / TriangleTree::kBoxes),
+      areas_(leaves_.size()) {
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        place_[tree_.order()[i]] = i;
     pose(rest);
 }
 
@@ -23,19 +27,11 @@ void PosedSurface::pose(std::span<const Vec3> vertices) {
     const auto order = tree_.order();
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto& t = triangles_[order[i]];
-        corners_[i] = {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
+        for (std::size_t c = 0; c < 3; ++c)
+            leaves_[i / TriangleTree::kBoxes].set(i % TriangleTree::kBoxes, c, vertices[t[c]]);
     }
-    tree_.refit(corners_);
-}
-
-Triangle PosedSurface::triangle(std::uint32_t t) const {
-    const auto& corner = triangles_[t];
-    return in_double({vertices_[corner[0]], vertices_[corner[1]], vertices_[corner[2]]});
-}
-
-Vec3d PosedSurface::normal(std::uint32_t t) const {
-    const Triangle corners = triangle(t);
-    return normalized(cross(corners.b - corners.a, corners.c - corners.a));
+    tree_.refit(leaves_);
+    surface_search().areas(leaves_, areas_);
 }
 
 std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
@@ -81,7 +77,8 @@ template <typename Visit> void PosedSurface::along(const Vec3d& origin, const Ve
                                                    double end, Visit&& visit) const {
     const LineCrossing line(origin, direction);
     auto look = [&](std::uint32_t i) {
-        const LineCrossing::Hit hit = line.cross(in_double(corners_[i]));
+        const LineCrossing::Hit hit = line.cross(
+            in_double(leaves_[i / TriangleTree::kBoxes].triangle(i % TriangleTree::kBoxes)));
         return hit.sign == 0 || visit(tree_.order()[i], hit);
     };
     surface_search().along(
@@ -116,6 +113,10 @@ bool PosedSurface::crosses(const Vec3d& a, const Vec3d& b) const {
 
 float PosedSurface::roof(const BoxHeights& heights, float floor, float enough) const {
     return surface_search().roof(searched(), heights, floor, enough);
+}
+
+float PosedSurface::roof(const BallHeights& heights, float floor, float enough) const {
+    return surface_search().roof_in_ball(searched(), heights, floor, enough);
 }
 
 bool PosedSurface::outside_bounds(const Vec3d& p) const {

@@ -33,10 +33,23 @@ class PosedSurface {
     void pose(std::span<const Vec3> vertices);
 
     std::span<const Vec3> vertices() const { return vertices_; }
-    Triangle triangle(std::uint32_t t) const;
-    /// Unit normal of a triangle, outward; zero where it has no area.
-    Vec3d normal(std::uint32_t t) const;
+    Triangle triangle(std::uint32_t t) const {
+        const auto& corner = triangles_[t];
+        return {Vec3d(vertices_[corner[0]]), Vec3d(vertices_[corner[1]]),
+                Vec3d(vertices_[corner[2]])};
+    }
+    /// Along a triangle's normal, outward, and twice as long as its area [m²].
+    Vec3d area(std::uint32_t t) const {
+        const std::uint32_t place = place_[t];
+        return areas_[place / TriangleTree::kBoxes].of(place % TriangleTree::kBoxes);
+    }
+    /// Its unit normal; zero where it has no area.
+    Vec3d normal(std::uint32_t t) const { return normalized(area(t)); }
 
+    /// The place of a triangle that is nearest to `p`.
+    SurfacePlace place_on(std::uint32_t t, const Vec3d& p) const {
+        return {t, closest_on_triangle(p, triangle(t))};
+    }
     /// The place nearest to `p` within `radius` [m]; of equally near triangles the lowest. `guess`:
     /// a triangle that may be near; a good one saves time, any gives the same answer.
     std::optional<SurfacePlace> nearest(const Vec3d& p, double radius,
@@ -54,9 +67,10 @@ class PosedSurface {
     /// Whether the segment from `a` to `b` goes through any triangle.
     bool crosses(const Vec3d& a, const Vec3d& b) const;
 
-    /// A height that nothing of the surface within a box is over, not under `floor`. It is a bound,
-    /// cheap and not tight; where it is over `enough` it stops short and is none.
+    /// A height that nothing of the surface within a box or a ball is over, not under `floor`. It
+    /// is a bound, cheap and not tight; where it is over `enough` it stops short and is none.
     float roof(const BoxHeights& heights, float floor, float enough) const;
+    float roof(const BallHeights& heights, float floor, float enough) const;
 
     /// Its boxes, in this pose.
     const TriangleTree& tree() const { return tree_; }
@@ -67,7 +81,7 @@ class PosedSurface {
     bool inside(const Vec3d& p) const { return winding(p) > 0; }
 
   private:
-    SearchedTriangles searched() const { return {tree_, corners_}; }
+    SearchedTriangles searched() const { return {tree_, leaves_}; }
     template <typename Visit>
     void along(const Vec3d& origin, const Vec3d& direction, double end, Visit&& visit) const;
     bool outside_bounds(const Vec3d& p) const;
@@ -75,7 +89,9 @@ class PosedSurface {
     std::span<const std::array<std::uint32_t, 3>> triangles_;
     TriangleTree tree_;
     std::vector<Vec3> vertices_;
-    std::vector<std::array<Vec3, 3>> corners_; // the triangles in the tree's order
+    std::vector<std::uint32_t> place_;         // of each triangle in the tree's order
+    AlignedVector<TriangleTree::Leaf> leaves_; // the triangles in the tree's order
+    AlignedVector<TriangleTree::Areas> areas_; // theirs
 };
 
 } // namespace mane

@@ -11,6 +11,7 @@ struct RigidFrame {
 
     Vec3d to_world(const Vec3d& p) const { return x * p.x + y * p.y + z * p.z + origin; }
     Vec3d to_local(const Vec3d& p) const { return direction_to_local(p - origin); }
+    bool operator==(const RigidFrame&) const = default;
     Vec3d direction_to_local(const Vec3d& d) const { return {dot(x, d), dot(y, d), dot(z, d)}; }
 };
 

@@ -18,10 +18,10 @@ constexpr float kSame = 5e-6f;
 struct Axes {
     Vec3d origin, along, across, normal;
 };
-Axes axes_of(const Triangle& t) {
-    const Vec3d along = normalized(t.b - t.a);
-    const Vec3d normal = normalized(cross(t.b - t.a, t.c - t.a));
-    return {t.a, along, cross(normal, along), normal};
+Axes axes_of(const PosedSurface& pose, std::uint32_t t) {
+    const Triangle corners = pose.triangle(t);
+    const Vec3d along = normalized(corners.b - corners.a), normal = pose.normal(t);
+    return {corners.a, along, cross(normal, along), normal};
 }
 
 Vec3d turned(const Axes& from, const Axes& to, const Vec3d& d) {
@@ -59,15 +59,28 @@ void Surface::take_frames(std::size_t end, std::span<const RigidFrame> frames) {
 }
 
 void Surface::reset(std::span<const Vec3> vertices, std::span<const RigidFrame> frames) {
-    take(vertices);
-    poses_[1 - start_].pose(closed_vertices_);
-    take_frames(0, frames);
-    take_frames(1, frames);
-    drift_.follow(closed_vertices_, frames, was_reset_);
-    for (std::size_t f = 0; f < drift_.frames(); ++f)
-        jumps_ += drift_.of_any(f) > kSame;
+    if (!is_at(vertices, frames)) {
+        take(vertices);
+        poses_[1 - start_].pose(closed_vertices_);
+        take_frames(1 - start_, frames);
+        drift_.follow(closed_vertices_, frames, strayed_);
+        for (std::size_t f = 0; f < drift_.frames(); ++f)
+            jumps_ += drift_.of_any(f) > kSame;
+        strayed_ = true;
+    }
+    frames_[start_] = frames_[1 - start_];
     was_reset_ = true;
     duration_ = fastest_ = 0;
+}
+
+bool Surface::is_at(std::span<const Vec3> vertices, std::span<const RigidFrame> frames) const {
+    const std::size_t count = std::min(frames.size(), Drift::kFrames);
+    return count == drift_.frames() &&
+           std::equal(frames.begin(), frames.begin() + static_cast<std::ptrdiff_t>(count),
+                      frames_[1 - start_].begin()) &&
+           std::equal(vertices.begin(),
+                      vertices.begin() + static_cast<std::ptrdiff_t>(mesh_.vertex_count),
+                      closed_vertices_.begin());
 }
 
 void Surface::advance(std::span<const Vec3> vertices, double duration,
@@ -76,8 +89,8 @@ void Surface::advance(std::span<const Vec3> vertices, double duration,
     take(vertices);
     poses_[1 - start_].pose(closed_vertices_);
     take_frames(1 - start_, frames);
-    drift_.follow(closed_vertices_, frames, was_reset_);
-    was_reset_ = false;
+    drift_.follow(closed_vertices_, frames, strayed_);
+    strayed_ = was_reset_ = false;
     ++block_;
 
     const auto from = start().vertices();
@@ -137,10 +150,8 @@ void Surface::sort_by_vertex() {
 // that hair is about to touch.
 Vec3d Surface::vertex_normal(std::uint32_t v) const {
     Vec3d sum;
-    for (std::uint32_t i = at_vertex_.first(v); i < at_vertex_.last(v); ++i) {
-        const Triangle t = start().triangle(triangles_at_[i]);
-        sum += cross(t.b - t.a, t.c - t.a);
-    }
+    for (std::uint32_t i = at_vertex_.first(v); i < at_vertex_.last(v); ++i)
+        sum += start().area(triangles_at_[i]);
     return sum;
 }
 
@@ -157,12 +168,12 @@ Vec3d Surface::smooth_normal(const SurfacePlace& place) const {
 }
 
 Vec3d Surface::carried_point(std::uint32_t t, const Vec3d& p) const {
-    const Axes from = axes_of(start().triangle(t)), to = axes_of(end().triangle(t));
+    const Axes from = axes_of(start(), t), to = axes_of(end(), t);
     return to.origin + turned(from, to, p - from.origin);
 }
 
 Vec3d Surface::carried_direction(std::uint32_t t, const Vec3d& d) const {
-    return turned(axes_of(start().triangle(t)), axes_of(end().triangle(t)), d);
+    return turned(axes_of(start(), t), axes_of(end(), t), d);
 }
 
 } // namespace mane

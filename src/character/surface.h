@@ -57,6 +57,8 @@ class Surface {
 
   private:
     void take(std::span<const Vec3> vertices);
+    /// Whether the end is that pose.
+    bool is_at(std::span<const Vec3> vertices, std::span<const RigidFrame> frames) const;
     void take_frames(std::size_t end, std::span<const RigidFrame> frames);
     void find_creases(std::span<const Vec3> rest);
     void sort_by_vertex();
@@ -72,6 +74,7 @@ class Surface {
     Drift drift_;
     std::uint64_t block_ = 0, jumps_ = 0;
     bool was_reset_ = false; // then the end is both
+    bool strayed_ = false;   // since the last block's end
     std::size_t start_ = 0;
     double duration_ = 0, fastest_ = 0;
 };

@@ -8,8 +8,12 @@
 #include "base/pack-inl.h"
 #include "character/closest-inl.h"
 
+#include <bit>
+
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
+
+inline constexpr std::uint32_t kLeaf = TriangleTree::kBoxes;
 
 /// One bit per box of a node for which test(lane) holds.
 template <typename Test> HWY_INLINE std::uint32_t boxes_with(Test&& test) {
@@ -44,6 +48,24 @@ HWY_INLINE Pack highest(const BoxHeights& h, const TriangleTree::Node& node, std
     return select(gap > Pack(0.f), Pack(BoxHeights::kLowest), height);
 }
 
+HWY_INLINE Pack highest(const BallHeights& h, const TriangleTree::Node& node, std::size_t lane) {
+    return select(squared_distances(h.distances, node, lane) > Pack(h.squared),
+                  Pack(BoxHeights::kLowest),
+                  highest(static_cast<const BoxHeights&>(h), node, lane));
+}
+
+/// Not lower than the triangles.
+HWY_INLINE Pack highest(const Vec3& along, const TriangleTree::Leaf& leaf, std::size_t lane) {
+    const Pack3 way = broadcast(along), size{absolute(way.x), absolute(way.y), absolute(way.z)};
+    Pack top(BoxHeights::kLowest);
+    for (const auto& corner : leaf.corner) {
+        const Pack3 p = Pack3::load(corner[0] + lane);
+        const Pack3 far{absolute(p.x), absolute(p.y), absolute(p.z)};
+        top = larger(top, dot(way, p) + dot(size, far) * Pack(kBoxRounding));
+    }
+    return top;
+}
+
 /// Over 0 where the line stays clear of the box.
 HWY_INLINE Pack apart(const BoxCrossings& c, const TriangleTree::Node& node, std::size_t lane) {
     const auto low = [&](std::size_t i) {
@@ -64,19 +86,19 @@ HWY_INLINE Pack apart(const BoxCrossings& c, const TriangleTree::Node& node, std
     return gap;
 }
 
-/// Goes through the boxes of every node that look_into(node) gives the bits of, and calls visit(i)
-/// for the triangles there, i their place in the tree's order, until it returns false.
+/// Goes through the nodes that look_into(node) gives bits of, a bit per box, and calls
+/// visit(leaf, bits) where these are triangles, until it returns false.
 template <typename LookInto, typename Visit>
 HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& visit) {
     struct Level {
         std::uint32_t node, left; // of its boxes to look into, those not yet visited
     };
-    Level stack[TriangleTree::kLevels];
-    if (tree.levels() == 0)
+    Level stack[TriangleTree::kLevels + 1];
+    const std::size_t top = tree.levels(); // of one box, the last node's
+    if (top == 0)
         return;
-    const std::size_t top = tree.levels() - 1;
     std::size_t level = top;
-    stack[top] = {0, look_into(tree.node(top, 0))};
+    stack[top] = {0, 1};
     for (;;) {
         Level& now = stack[level];
         if (now.left == 0) {
@@ -85,43 +107,25 @@ HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& vis
             ++level;
             continue;
         }
-        const auto box = static_cast<std::uint32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(now.left));
+        const auto box = static_cast<std::uint32_t>(std::countr_zero(now.left));
         now.left &= now.left - 1;
-        const auto inner = now.node * static_cast<std::uint32_t>(TriangleTree::kBoxes) + box;
-        if (level > 0) {
-            --level;
-            if (now.left != 0) // the next one, meanwhile
-                __builtin_prefetch(
-                    &tree.node(level, now.node * TriangleTree::kBoxes +
-                                          hwy::Num0BitsBelowLS1Bit_Nonzero32(now.left)));
-            stack[level] = {inner, look_into(tree.node(level, inner))};
-        } else if (!visit(inner)) {
+        const auto inner = now.node * kLeaf + box;
+        const std::uint32_t bits = look_into(tree.node(level - 1, inner));
+        if (level > 1)
+            stack[--level] = {inner, bits};
+        else if (bits != 0 && !visit(inner, bits))
             return;
-        }
     }
 }
 
-/// The nearest place so far, and what rules out most triangles before their own nearest place is
-/// worked out: those wholly under the plane through the place across the way to it. All of that
-/// side is farther.
+/// The nearest place so far.
 struct Nearest {
-    static constexpr double kRounding = 1e-9; // [m] far over that of distances in double
-
-    Vec3d p;
     double limit; // squared
     float limit_of_boxes;
     std::optional<SurfacePlace> place;
-    Vec3d away; // unit, from the place to the point
-    double plane = 0;
 
-    Nearest(const Vec3d& from, double radius)
-        : p(from), limit(radius * radius), limit_of_boxes(BoxDistances::at_least(limit)) {}
-    bool rules_out(const std::array<Vec3, 3>& corners) const {
-        if (!place)
-            return false;
-        const auto under = [&](const Vec3& corner) { return dot(Vec3d(corner) - p, away) < plane; };
-        return under(corners[0]) && under(corners[1]) && under(corners[2]);
-    }
+    explicit Nearest(double radius)
+        : limit(radius * radius), limit_of_boxes(BoxDistances::at_least(limit)) {}
     void take(const SurfacePlace& candidate) {
         const double squared = candidate.closest.squared;
         if (squared > limit || (place && squared == limit && candidate.triangle >= place->triangle))
@@ -129,14 +133,12 @@ struct Nearest {
         place = candidate;
         limit = squared;
         limit_of_boxes = BoxDistances::at_least(limit);
-        away = normalized(p - candidate.closest.point);
-        plane = -std::sqrt(limit) - kRounding;
     }
 };
 
 std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p, double radius) {
     const TriangleTree& tree = in.tree;
-    Nearest best(p, radius);
+    Nearest best(radius);
     if (tree.levels() == 0)
         return best.place;
     const BoxDistances distances(p);
@@ -147,29 +149,24 @@ std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p,
         });
     };
     const auto take_all = [&] {
-        candidates.evaluate([&](const ClosestPoint& closest, std::uint32_t i) {
+        candidates.evaluate(best.limit, [&](const ClosestPoint& closest, std::uint32_t i) {
             best.take({tree.order()[i], closest});
         });
+    };
+    const auto add = [&](std::uint32_t leaf, std::uint32_t bits) {
+        candidates.add(in.leaves[leaf], bits, leaf * kLeaf);
+        if (candidates.full())
+            take_all();
+        return true;
     };
 
     // First down to where the nearest boxes are: what is found there rules out most others.
     std::uint32_t inner = 0;
-    for (std::size_t level = tree.levels(); level-- > 0;) {
+    for (std::size_t level = tree.levels(); --level > 0;) {
         const TriangleTree::Node& node = tree.node(level, inner);
         alignas(64) float squared[TriangleTree::kBoxes];
         for (std::size_t lane = 0; lane < TriangleTree::kBoxes; lane += kPackLanes)
             squared_distances(distances, node, lane).store(squared + lane);
-        if (level == 0) {
-            for (std::uint32_t left = look_into(node); left != 0; left &= left - 1) {
-                const auto i = static_cast<std::uint32_t>(inner * TriangleTree::kBoxes +
-                                                          hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
-                if (candidates.full())
-                    take_all();
-                candidates.add(i, in.corners[i]);
-            }
-            take_all();
-            break;
-        }
         const float* least = squared;
         for (const float* s = squared; s != squared + TriangleTree::kBoxes; ++s)
             if (*s < *least)
@@ -177,13 +174,9 @@ std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p,
         inner = static_cast<std::uint32_t>(inner * TriangleTree::kBoxes +
                                            static_cast<std::size_t>(least - squared));
     }
-    walk(tree, look_into, [&](std::uint32_t i) {
-        if (!best.rules_out(in.corners[i]))
-            candidates.add(i, in.corners[i]);
-        if (candidates.full())
-            take_all();
-        return true;
-    });
+    add(inner, look_into(tree.node(0, inner)));
+    take_all();
+    walk(tree, look_into, add);
     take_all();
     return best.place;
 }
@@ -195,9 +188,8 @@ void within(const SearchedTriangles& in, const Vec3d& p, double radius,
     const BoxDistances distances(p);
     Candidates candidates(p);
     const auto take_all = [&] {
-        candidates.evaluate([&](const ClosestPoint& closest, std::uint32_t i) {
-            if (closest.squared <= limit)
-                places.push_back({in.tree.order()[i], closest});
+        candidates.evaluate(limit, [&](const ClosestPoint& closest, std::uint32_t i) {
+            places.push_back({in.tree.order()[i], closest});
         });
     };
     walk(
@@ -207,8 +199,8 @@ void within(const SearchedTriangles& in, const Vec3d& p, double radius,
                 return squared_distances(distances, node, lane) <= limit_of_boxes;
             });
         },
-        [&](std::uint32_t i) {
-            candidates.add(i, in.corners[i]);
+        [&](std::uint32_t leaf, std::uint32_t bits) {
+            candidates.add(in.leaves[leaf], bits, leaf * kLeaf);
             if (candidates.full())
                 take_all();
             return true;
@@ -224,10 +216,18 @@ void along(const SearchedTriangles& in, const BoxCrossings& line, void* context,
             return boxes_with(
                 [&](std::size_t lane) { return apart(line, node, lane) <= Pack(0.f); });
         },
-        [&](std::uint32_t i) { return visit(context, i); });
+        [&](std::uint32_t leaf, std::uint32_t bits) {
+            for (; bits != 0; bits &= bits - 1) {
+                const auto box = static_cast<std::uint32_t>(std::countr_zero(bits));
+                if (!visit(context, leaf * kLeaf + box))
+                    return false;
+            }
+            return true;
+        });
 }
 
-float roof(const SearchedTriangles& in, const BoxHeights& heights, float floor, float enough) {
+template <typename Heights>
+float roof(const SearchedTriangles& in, const Heights& heights, float floor, float enough) {
     float roof = floor;
     alignas(64) float height[TriangleTree::kBoxes];
     walk(
@@ -239,17 +239,35 @@ float roof(const SearchedTriangles& in, const BoxHeights& heights, float floor, 
                 return here > Pack(roof);
             });
         },
-        [&](std::uint32_t i) {
-            const float top = height[i % TriangleTree::kBoxes];
-            if (top > roof)
-                roof = std::max(roof, std::min(top, heights.highest(in.corners[i])));
+        [&](std::uint32_t leaf, std::uint32_t bits) {
+            alignas(64) float top[TriangleTree::kBoxes];
+            for (std::size_t lane = 0; lane < TriangleTree::kBoxes; lane += kPackLanes)
+                smaller(Pack::load(height + lane), highest(heights.along, in.leaves[leaf], lane))
+                    .store(top + lane);
+            for (; bits != 0; bits &= bits - 1)
+                roof = std::max(roof, top[std::countr_zero(bits)]);
             return roof <= enough;
         });
     return roof;
 }
 
+void areas(std::span<const TriangleTree::Leaf> leaves, std::span<TriangleTree::Areas> areas) {
+    for (std::size_t n = 0; n < leaves.size(); ++n)
+        for (std::size_t i = 0; i < TriangleTree::kBoxes; i += Doubles::kCount) {
+            const auto corner = [&](std::size_t c) -> Doubles3 {
+                const auto& axis = leaves[n].corner[c];
+                return {Doubles::load(axis[0] + i), Doubles::load(axis[1] + i),
+                        Doubles::load(axis[2] + i)};
+            };
+            const Doubles3 a = corner(0), area = cross(corner(1) - a, corner(2) - a);
+            area.x.store(areas[n].axis[0] + i);
+            area.y.store(areas[n].axis[1] + i);
+            area.z.store(areas[n].axis[2] + i);
+        }
+}
+
 SurfaceSearch search() {
-    return {nearest, within, along, roof};
+    return {nearest, within, along, areas, roof<BoxHeights>, roof<BallHeights>};
 }
 
 } // namespace mane::HWY_NAMESPACE

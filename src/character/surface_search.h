@@ -19,7 +19,7 @@ struct SurfacePlace {
 /// A tree and the triangles in its order.
 struct SearchedTriangles {
     const TriangleTree& tree;
-    std::span<const std::array<Vec3, 3>> corners;
+    std::span<const TriangleTree::Leaf> leaves;
 };
 
 /// The searches that go through many boxes and triangles, compiled once per instruction set. What
@@ -35,9 +35,13 @@ struct SurfaceSearch {
     /// order, until it returns false.
     void (*along)(const SearchedTriangles& in, const BoxCrossings& line, void* context,
                   bool (*visit)(void* context, std::uint32_t i));
+    /// Of all triangles.
+    void (*areas)(std::span<const TriangleTree::Leaf> leaves, std::span<TriangleTree::Areas> areas);
     /// See PosedSurface::roof.
     float (*roof)(const SearchedTriangles& in, const BoxHeights& heights, float floor,
                   float enough);
+    float (*roof_in_ball)(const SearchedTriangles& in, const BallHeights& heights, float floor,
+                          float enough);
 };
 /// For the machine's best instruction set.
 const SurfaceSearch& surface_search();

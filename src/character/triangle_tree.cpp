@@ -16,6 +16,28 @@ void put(TriangleTree::Node& node, std::size_t i, const Four& low, const Four& h
     }
 }
 
+void put_nothing(TriangleTree::Node& node, std::size_t i) {
+    put(node, i, four(kNowhere), four(-kNowhere));
+}
+
+/// Four by four.
+void fit(TriangleTree::Node& node, const TriangleTree::Leaf& leaf) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < TriangleTree::kBoxes; i += 4) {
+            const auto corner = [&](std::size_t c) {
+                const float* p = leaf.corner[c][axis] + i;
+                return Four{p[0], p[1], p[2], p[3]};
+            };
+            const Four a = corner(0), b = corner(1), c = corner(2), low = smaller(smaller(a, b), c),
+                       high = larger(larger(a, b), c);
+            for (std::size_t n = 0; n < 4; ++n) {
+                node.low[axis][i + n] = low[n];
+                node.high[axis][i + n] = high[n];
+            }
+        }
+    }
+}
+
 /// The boxes of a node, by halves down to one.
 template <typename Better>
 float best_of(const float (&numbers)[TriangleTree::kBoxes], Better&& better) {
@@ -54,18 +76,19 @@ TriangleTree::TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangl
         first_node_.push_back(nodes += boxes);
     } while (boxes > 1);
     nodes_.resize(nodes);
-    const Four far{kNowhere, kNowhere, kNowhere, kNowhere};
     for (Node& node : nodes_)
         for (std::size_t i = 0; i < kBoxes; ++i)
-            put(node, i, far, -far);
+            put_nothing(node, i);
     find_groups();
 }
 
 // Cuts a range along its longest side, into halves that fill whole nodes. A stable sort, so that
 // every library makes the same tree (M39).
 void TriangleTree::sort(std::span<const Vec3> centres, std::span<std::uint32_t> range) {
-    if (range.size() <= kBoxes)
+    if (range.size() <= kBoxes) {
+        std::sort(range.begin(), range.end()); // what is found comes almost in their own order
         return;
+    }
     Box box{centres[range[0]], centres[range[0]]};
     for (const std::uint32_t t : range)
         box = both(box, {centres[t], centres[t]});
@@ -100,13 +123,13 @@ TriangleTree::Box TriangleTree::bounds(const Group& group) const {
     return box;
 }
 
-void TriangleTree::refit(std::span<const std::array<Vec3, 3>> corners) {
+void TriangleTree::refit(std::span<const Leaf> leaves) {
     if (order_.empty())
         return;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Four a = four(corners[i][0]), b = four(corners[i][1]), c = four(corners[i][2]);
-        put(node(0, i / kBoxes), i % kBoxes, smaller(smaller(a, b), c), larger(larger(a, b), c));
-    }
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+        fit(node(0, i), leaves[i]);
+    for (std::size_t i = order_.size(); i < leaves.size() * kBoxes; ++i)
+        put_nothing(node(0, i / kBoxes), i % kBoxes);
     for (std::size_t level = 1; level < levels(); ++level) {
         const std::size_t below = first_node_[level] - first_node_[level - 1];
         for (std::size_t i = 0; i < below; ++i) {

@@ -26,6 +26,27 @@ class TriangleTree {
     struct alignas(64) Node {
         float low[3][kBoxes], high[3][kBoxes];
     };
+    /// Sixteen triangles side by side, [corner][axis][triangle].
+    struct alignas(64) Leaf {
+        float corner[3][3][kBoxes] = {};
+
+        std::array<Vec3, 3> triangle(std::size_t i) const {
+            const auto at = [&](const float(&c)[3][kBoxes]) {
+                return Vec3{c[0][i], c[1][i], c[2][i]};
+            };
+            return {at(corner[0]), at(corner[1]), at(corner[2])};
+        }
+        void set(std::size_t i, std::size_t c, const Vec3& p) {
+            corner[c][0][i] = p.x, corner[c][1][i] = p.y, corner[c][2][i] = p.z;
+        }
+    };
+    /// Of the triangles of a leaf, [axis][triangle]: the cross product of the edges from the first
+    /// corner, along the normal and twice as long as the area [m²].
+    struct alignas(64) Areas {
+        double axis[3][kBoxes];
+
+        Vec3d of(std::size_t i) const { return {axis[0][i], axis[1][i], axis[2][i]}; }
+    };
     /// Triangles that lie together.
     struct Group {
         std::uint32_t first, count; ///< of `order`
@@ -37,8 +58,8 @@ class TriangleTree {
     TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangles,
                  std::span<const Vec3> vertices);
 
-    /// Boxes for the triangles in a new pose; `corners` holds the triangles in the tree's order.
-    void refit(std::span<const std::array<Vec3, 3>> corners);
+    /// Boxes for the triangles in a new pose; `leaves` holds them in the tree's order.
+    void refit(std::span<const Leaf> leaves);
 
     /// The triangles, in the tree's order.
     std::span<const std::uint32_t> order() const { return order_; }

@@ -10,8 +10,6 @@ namespace mane {
 namespace {
 
 constexpr RegionTest::Approach kAll{.section = 0xffff, .segment = 0xffff, .spent = 0};
-/// [m] Wherever a section goes that far beyond its envelope, its region is of use.
-constexpr double kUseful = 0.02;
 /// A support point this near to an envelope point is that point.
 constexpr float kAtEnvelopePoint = 0.98f;
 
@@ -122,7 +120,7 @@ class Detector {
             distance = std::sqrt(
                 closest_on_triangle(reach.from, surface_.start().triangle(before)).squared);
         if (distance > reach.clear) {
-            reach.place = surface_.start().nearest(reach.from, reach.clear, before);
+            reach.place = surface_.start().nearest(reach.from, reach.clear);
             if (!reach.place)
                 return false;
             distance = std::sqrt(reach.place->closest.squared);
@@ -255,7 +253,8 @@ void look_for_contacts(const HairView& hair, std::span<const ContactBody> bodies
                        const WispDetection& task, std::span<CharacterRegions> regions,
                        DetectionScratch& scratch) {
     WispCopy& wisp = scratch.wisp;
-    wisp.load(hair, task.wisp);
+    wisp.load_motion(hair, task.wisp, 0,
+                     static_cast<std::uint32_t>(hair.groom.sections(task.wisp)));
     const std::uint32_t sections = wisp.sections();
     for (std::uint32_t b = 0; b < bodies.size(); ++b) {
         const auto carried = std::span(task.carried).subspan(b * sections, sections);
@@ -277,8 +276,8 @@ void look_for_contacts(const HairView& hair, std::span<const ContactBody> bodies
             if (i + 1 < sections)
                 segment = std::max(segment, length(Vec3d(wisp.x[i + 1]) - Vec3d(wisp.x[i])));
             regions[b].renew({packet.first_row + i, task.lane}, wisp.x[i],
-                             kUseful + double(wisp.largest_radius(i)) + segment / 2,
-                             carried[i].triangle);
+                             double(wisp.largest_radius(i)) + segment / 2, carried[i].triangle,
+                             carried[i].found);
         }
     }
     // those of one body come sorted

@@ -36,9 +36,9 @@ struct Located {
 
     HWY_INLINE Pack over(Pack3 p) const { return dot(normal, p) - height; }
     /// Whether all that is over the plane by `over`, and no farther than `out` from the centre, is
-    /// in one piece and farther than `margin` from its side.
-    HWY_INLINE Mask holds(Pack over, Pack out, Pack margin) const {
-        const Mask in_cap = both(has_cap, both(over > margin, radius - out > margin));
+    /// in one piece, farther than `above` from its plane and than `margin` from its side.
+    HWY_INLINE Mask holds(Pack over, Pack out, Pack above, Pack margin) const {
+        const Mask in_cap = both(has_cap, both(over > above, radius - out > margin));
         return either(in_cap, both(has_ball, ball - out > margin));
     }
     /// How far a frame takes a place over the block.
@@ -156,64 +156,98 @@ struct Flags {
     Mask section, segment, spent;
 };
 
+/// No place that is within `around` of a point, across its section's axis, is farther from another
+/// than this. `arm`: from that to the point; `across`: how much of it is across the axis.
+HWY_INLINE Pack farthest(Pack3 arm, Pack across, Pack around) {
+    return square_root(dot(arm, arm) + (Pack(2.f) * across + around) * around) * Pack(1 + 1e-6f);
+}
+HWY_INLINE Pack across(const RegionQuestion& q, std::size_t row, std::size_t lane, Pack3 arm) {
+    const Pack u = dot(arm, Pack3::load(q.frames.u.row(row) + lane)),
+               v = dot(arm, Pack3::load(q.frames.v.row(row) + lane));
+    return square_root(u * u + v * v);
+}
+
+/// How far off a surface must be, so that hair does not meet it within the block: any place; one
+/// below the plane; any that strays as far as the farthest group.
+struct Needs {
+    Pack any, below, other;
+};
+
 // A place of the surface at distance d from a point closes in on it, relative to the frame, by no
-// more than the point moves, the surface strays and the frame's turn parts them (a share of d). So
-// what is farther than (reach + way + stray) / (1 − turn) cannot be met.
+// more than the point moves toward it (m·way, with m the unit way there), the surface strays and
+// the frame's turn parts them (a share of d). So what is farther than
+// (reach + |way| + stray) / (1 − turn) cannot be met. Of a place below the plane, only m·n = −s of
+// the distance counts, n the plane's normal: what is over the plane by
+// s (reach + max(0, m·way) + stray) / (1 − turn) is clear of it. Of all m, s m·way is largest where
+// m halves the angle between −n and the way: (|way| − n·way) / 2. Hair that slides along the
+// plane needs half of what hair does that comes straight at it, and hair that leaves needs nothing.
+HWY_INLINE Needs needs(const RegionQuestion& q, const Located& region, Pack3 way, Pack stray,
+                       Pack further) {
+    const Pack length = norm(way), toward = (length - dot(region.normal, way)) * Pack(0.5f);
+    const auto need = [&](Pack distance, Pack strays) {
+        return Pack(q.share) * (Pack(q.reach) + distance + strays + further) /
+               (Pack(1.f) - region.turn);
+    };
+    return {need(length, stray), need(toward, stray), need(length, region.any)};
+}
+
 HWY_INLINE Flags approach_of(const RegionQuestion& q, const Sector& sector, std::size_t row,
                              std::size_t i, std::size_t lane, Mask here) {
     float* numbers = q.region.row(row) + lane;
     const Located region = located(q, numbers, 0);
     const Sections s = sections(q, row, lane), before = sections(q, row - 1, lane);
     const std::size_t count = q.half_lines.size();
-    const Pack time(q.duration), longest(sector.longest), half(0.5f), one(1.f);
+    const Pack time(q.duration), longest(sector.longest), half(0.5f), one(1.f), none(0.f);
+    const Pack stray = Pack::load(numbers + ClearRegion::stray * kLanes);
 
     const auto wandered = [&](std::size_t r, Pack3 x) {
         return Pack3::load(q.state.velocity.row(r) + lane) * time - region.way(x);
     };
-    const Pack3 way = wandered(row, s.x), way_before = wandered(row - 1, before.x);
-    const auto need = [&](Pack distance, Pack rate, Pack radius, Pack stray) {
-        return Pack(q.share) *
-               (Pack(q.reach) + distance + stray + (rate * time + region.turn * radius) * longest) /
-               (one - region.turn);
+    const auto needed = [&](Pack3 way, Pack rate, Pack radius) {
+        return needs(q, region, way, stray, (rate * time + region.turn * radius) * longest);
     };
-    const Pack stray = Pack::load(numbers + ClearRegion::stray * kLanes);
+    const auto clear = [&](Pack over, Pack out, const Needs& need) {
+        return both(region.holds(over, out, need.below, need.any), region.far - out > need.other);
+    };
 
+    const Pack3 way = wandered(row, s.x), way_before = wandered(row - 1, before.x);
     const Pack over = region.over(s.x);
     const Pack dip = lowest(heights(q, row, lane, region.normal), count, sector);
-    const Pack off = norm(s.x - region.centre);
-    const Pack needed = need(norm(way), s.rate, s.radius, stray),
-               needed_far = need(norm(way), s.rate, s.radius, region.any);
-    const Pack out = off + s.radius * longest;
-    const Mask section_clear =
-        both(region.holds(over + dip, out, needed), region.far - out > needed_far);
+    const Pack3 arm = s.x - region.centre;
+    const Pack out = farthest(arm, across(q, row, lane, arm), s.radius * longest);
+    const Needs need = needed(way, s.rate, s.radius);
+    const Mask section_clear = clear(over + dip, out, need);
 
     const Pack over_before = region.over(before.x);
     const Pack dip_before = lowest(heights(q, row - 1, lane, region.normal), count, sector);
     const Pack radius = (s.radius + before.radius) * half, rate = larger(s.rate, before.rate);
-    const Pack way_middle = norm((way + way_before) * half);
-    const Pack needed_middle = need(way_middle, rate, radius, stray),
-               needed_middle_far = need(way_middle, rate, radius, region.any);
-    const Pack out_middle = norm((s.x + before.x) * half - region.centre) + radius * longest;
-    const Mask middle_clear = both(
-        region.holds((over + over_before + dip + dip_before) * half, out_middle, needed_middle),
-        region.far - out_middle > needed_middle_far);
+    const Pack3 arm_middle = (s.x + before.x) * half - region.centre;
+    const Pack across_middle =
+        larger(across(q, row, lane, arm_middle), across(q, row - 1, lane, arm_middle));
+    const Mask middle_clear = clear((over + over_before + dip + dip_before) * half,
+                                    farthest(arm_middle, across_middle, radius * longest),
+                                    needed((way + way_before) * half, rate, radius));
 
-    const Pack margin(kOverRounding);
-    const Mask holds =
-        both(region.known, both(region.holds(over, off, margin), region.far - off > margin));
-    const Pack wait = larger(Pack::load(numbers + ClearRegion::wait * kLanes) - one, Pack(0.f));
-    wait.store(numbers + ClearRegion::wait * kLanes);
+    const Pack margin(kOverRounding), off = norm(arm);
+    const Mask holds = both(
+        region.known, both(region.holds(over, off, margin, margin), region.far - off > margin));
     select(holds, Pack::load(numbers), Pack(-1.f)).store(numbers);
 
     const Pack half_segment = norm(s.x - before.x) * half;
     const Pack left =
-        smaller(larger(region.radius, region.ball) - needed, region.far - needed_far) - out;
-    const Mask fit = both(holds, left > (i >= 2 ? half_segment : Pack(0.f)));
-    const Mask all_clear = both(section_clear, middle_clear);
-    const Mask fresh =
-        either(all_clear, Pack::load(numbers + ClearRegion::age * kLanes) < Pack(kAged));
-    const Mask may_look = {hn::Eq(wait.v, Pack(0.f).v)};
-    const Mask spent = both(both(here, may_look), inverse(both(fit, fresh)));
+        smaller(larger(region.radius, region.ball) - need.any, region.far - need.other) - out;
+    const Mask fit = both(both(holds, left > (i >= 2 ? half_segment : none)),
+                          Pack::load(numbers + ClearRegion::age * kLanes) < Pack(kAged));
+    const Mask useful = both(holds, both(section_clear, middle_clear));
+    float* pause = numbers + ClearRegion::pause * kLanes;
+    select(useful, none, Pack::load(pause)).store(pause);
+    // one that was lost is looked for at once: the section is elsewhere
+    const Mask lost = both(region.known, inverse(holds));
+    const Pack wait =
+        select(lost, none, larger(Pack::load(numbers + ClearRegion::wait * kLanes) - one, none));
+    wait.store(numbers + ClearRegion::wait * kLanes);
+    const Mask may_look = {hn::Eq(wait.v, none.v)};
+    const Mask spent = both(both(here, may_look), inverse(either(useful, fit)));
     if (i < 2) {
         const Mask no = both(here, inverse(here));
         return {no, no, spent};
@@ -266,7 +300,7 @@ HWY_INLINE Mask stays(const RegionQuestion& q, const Sector& sector, std::size_t
     const Pack margin(kOverRounding), half(0.5f), longest(sector.longest);
     const auto holds = [&](Pack over, Pack3 p, Pack around) {
         const Pack out = norm(p - region.centre) + around;
-        return both(region.holds(over, out, margin), region.far - out > margin);
+        return both(region.holds(over, out, margin, margin), region.far - out > margin);
     };
 
     const Sections s = sections(q, row, lane);

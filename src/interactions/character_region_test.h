@@ -24,6 +24,7 @@ struct ClearRegion {
         stray,      ///< [m] how far the others stray from the frame over the present block
         age,        ///< [m] how far they have since the region was found
         wait,       ///< blocks for which it is not looked for again
+        pause,      ///< how many those will be the next time
         count
     };
 };

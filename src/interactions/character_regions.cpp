@@ -1,30 +1,25 @@
 #include "interactions/character_regions.h"
 
-#include "base/four.h"
 #include "character/box_tests.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace mane {
 namespace {
 
-/// [m] A region is found by so much wider than it is of use at once.
-constexpr double kSpare = 0.02;
-/// Blocks until a region that was not found is looked for again.
-constexpr float kWait = 12;
-/// And one that was.
-constexpr float kPause = 3;
-/// A plane is taken where the section is over it by this share of the surface's distance; in the
-/// smaller ball, by the second.
-constexpr float kGoodPlane = 0.7f, kUsefulPlane = 0.3f;
+/// What is tried for a region's plane, one after the other: so much wider than half of the segments
+/// and their envelope [m], and over the plane by this share of the surface's distance.
+struct Plane {
+    double spare;
+    float over;
+};
+constexpr Plane kPlanes[] = {{0.04, 0.7f}, {0.02, 0.3f}, {0.01, 0.3f}, {0, 0.3f}};
+constexpr double kWidest = kPlanes[0].spare, kUseful = kPlanes[1].spare;
+/// Blocks until a region that is of no use is looked for again: twice as many after each time.
+constexpr float kShortPause = 3, kLongPause = 48;
 constexpr double kRounding = 1e-5; // [m] over that of single precision
-
-float squared_distance(const TriangleTree::Box& box, const Vec3& p) {
-    const Four at = four(p), gap = larger(larger(four(box.low) - at, at - four(box.high)), Four{});
-    return dot(gap, gap);
-}
+constexpr float kFarthest = 1e3f;  // [m] nothing is known farther off
 
 std::size_t slot_index(Slot slot) {
     return std::size_t{slot.row} * kLanes + slot.lane;
@@ -74,10 +69,23 @@ void CharacterRegions::find_motion() {
     for (std::size_t f = 0; f < drift.frames(); ++f)
         motion_.push_back(
             motion_of(surface_->start_frame(f), surface_->end_frame(f), double(drift.of_any(f))));
-    const TriangleTree& tree = surface_->start().tree();
-    boxes_.clear();
-    for (const TriangleTree::Group& group : tree.groups())
-        boxes_.push_back(tree.bounds(group));
+    find_boxes(surface_->start().tree());
+}
+
+void CharacterRegions::find_boxes(const TriangleTree& tree) {
+    const auto groups = tree.groups();
+    const Four nowhere = four(kFarthest);
+    boxes_.assign((groups.size() + 3) / 4,
+                  {{nowhere, nowhere, nowhere}, {nowhere, nowhere, nowhere}});
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const auto [low, high] = tree.bounds(groups[g]);
+        FourBoxes& four = boxes_[g / 4];
+        const float lows[3] = {low.x, low.y, low.z}, highs[3] = {high.x, high.y, high.z};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            four.low[axis][g % 4] = lows[axis];
+            four.high[axis][g % 4] = highs[axis];
+        }
+    }
 }
 
 RegionQuestion CharacterRegions::question(const HairView& hair) {
@@ -141,78 +149,93 @@ CharacterRegions::Here CharacterRegions::here(Slot slot) const {
     return found;
 }
 
-void CharacterRegions::renew(Slot slot, const Vec3& x, double wanted,
-                             std::uint32_t& near_triangle) {
+void CharacterRegions::renew(Slot slot, const Vec3& x, double least, std::uint32_t& near,
+                             bool nearest) {
     // A region that holds its section tells which side it is on; others are forgotten.
     const bool outside = number(slot, ClearRegion::frame) >= 0;
     number(slot, ClearRegion::frame) = -1;
-    number(slot, ClearRegion::wait) = kWait;
+    float& pause = number(slot, ClearRegion::pause);
+    pause = std::max(pause, kShortPause);
+    number(slot, ClearRegion::wait) = pause;
+    pause = std::min(2 * pause, kLongPause);
+
     const PosedSurface& surface = surface_->start();
     const Vec3d p(x);
-    const double most = wanted + kSpare;
-    const std::optional<SurfacePlace> near = surface.nearest(p, 2 * most, near_triangle);
-    if (near)
-        near_triangle = near->triangle;
-    const double ball = (near ? std::sqrt(near->closest.squared) : 2 * most) - kRounding;
+    const double most = least + kWidest;
+    const std::optional<SurfacePlace> place =
+        nearest ? surface.place_on(near, p) : surface.nearest(p, 2 * most, near);
+    if (place)
+        near = place->triangle;
+    const double ball = (place ? std::sqrt(place->closest.squared) : 2 * most) - kRounding;
     if (ball < kRounding || (!outside && surface.inside(p)))
         return;
-    Vec3 normal;
-    float height = 1e30f; // no plane
-    double radius = ball;
-    if (ball < most) {
-        const auto distance = static_cast<float>(ball);
-        normal = Vec3(normalized(p - near->closest.point));
-        const float own = dot(normal, x);
-        for (const auto& [size, share] : {std::pair(most, kGoodPlane), {wanted, kUsefulPlane}}) {
-            const auto half = static_cast<float>(size);
-            const BoxHeights heights(normal,
-                                     {x - Vec3(half, half, half), x + Vec3(half, half, half)});
-            const float highest = own - share * distance,
-                        roof = surface.roof(heights, own - distance, highest);
-            if (roof > highest)
-                continue;
-            radius = size;
-            height = roof + heights.slack + static_cast<float>(kRounding);
-            break;
-        }
-    }
+    Cap cap{.normal = {}, .radius = ball};
+    if (ball < most)
+        cap = cap_over(surface, x, Vec3(normalized(p - place->closest.point)),
+                       static_cast<float>(ball), least);
+    keep(slot, p, cap, ball, std::max(cap.radius, least + kUseful));
+}
 
-    std::uint64_t groups = 0;
-    float squared_far = 1e6f;
-    const double wide = std::max(radius, wanted);
-    const auto minded = static_cast<float>(wide * wide);
-    for (std::size_t g = 0; g < boxes_.size(); ++g) {
-        const float squared = squared_distance(boxes_[g], x);
-        if (squared <= minded)
-            groups |= std::uint64_t{1} << g;
-        else
-            squared_far = std::min(squared_far, squared);
-    }
-    const double far = std::sqrt(double(squared_far));
+/// Minds what is no farther than `wide`, in the frame that this strays from least.
+void CharacterRegions::keep(Slot slot, const Vec3d& p, const Cap& cap, double ball, double wide) {
+    const Nearby nearby = groups_within(Vec3(p), static_cast<float>(wide));
     const Drift& drift = surface_->drift();
     std::size_t best = 0;
     for (std::size_t f = 1; f < drift.frames(); ++f) {
-        if (drift.habit(f, groups) < drift.habit(best, groups))
+        if (drift.habit(f, nearby.groups) < drift.habit(best, nearby.groups))
             best = f;
     }
-    groups_[slot_index(slot)] = groups;
+    groups_[slot_index(slot)] = nearby.groups;
     const RigidFrame& frame = surface_->start_frame(best);
     const auto put = [&](std::uint32_t first, const Vec3d& v) {
         number(slot, first) = static_cast<float>(v.x);
         number(slot, first + 1) = static_cast<float>(v.y);
         number(slot, first + 2) = static_cast<float>(v.z);
     };
-    const Vec3d n(normal);
+    const Vec3d n(cap.normal);
     number(slot, ClearRegion::frame) = static_cast<float>(best);
     put(ClearRegion::centre, frame.to_local(p));
     put(ClearRegion::normal, frame.direction_to_local(n));
-    number(slot, ClearRegion::height) = height - static_cast<float>(dot(n, frame.origin));
-    number(slot, ClearRegion::radius) = static_cast<float>(radius - kRounding);
+    number(slot, ClearRegion::height) = cap.height - static_cast<float>(dot(n, frame.origin));
+    number(slot, ClearRegion::radius) = static_cast<float>(cap.radius - kRounding);
     number(slot, ClearRegion::ball) = static_cast<float>(ball);
-    number(slot, ClearRegion::far) = static_cast<float>(far - kRounding);
-    number(slot, ClearRegion::stray) = drift.of_groups(best, groups);
+    number(slot, ClearRegion::far) = nearby.far - static_cast<float>(kRounding);
+    number(slot, ClearRegion::stray) = drift.of_groups(best, nearby.groups);
     number(slot, ClearRegion::age) = 0;
-    number(slot, ClearRegion::wait) = kPause;
+}
+
+/// Tries planes over the nearest place of the surface, which is `distance` away from x.
+CharacterRegions::Cap CharacterRegions::cap_over(const PosedSurface& surface, const Vec3& x,
+                                                 const Vec3& normal, float distance, double least) {
+    const float own = dot(normal, x);
+    for (const Plane& plane : kPlanes) {
+        const double radius = least + plane.spare;
+        const BallHeights heights(normal, x, static_cast<float>(radius));
+        const float highest = own - plane.over * distance,
+                    roof = surface.roof(heights, own - distance, highest);
+        if (roof <= highest)
+            return {normal, roof + heights.slack + static_cast<float>(kRounding), radius};
+    }
+    return {.normal = normal, .radius = double(distance)};
+}
+
+CharacterRegions::Nearby CharacterRegions::groups_within(const Vec3& p, float radius) const {
+    const Four at[3] = {four(p.x), four(p.y), four(p.z)}, minded = four(radius * radius);
+    Nearby nearby;
+    Four others = four(kFarthest * kFarthest);
+    for (std::size_t n = 0; n < boxes_.size(); ++n) {
+        Four squared{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Four gap = larger(
+                larger(boxes_[n].low[axis] - at[axis], at[axis] - boxes_[n].high[axis]), Four{});
+            squared += gap * gap;
+        }
+        for (const std::size_t g : Those(squared <= minded))
+            nearby.groups |= std::uint64_t{1} << (4 * n + g);
+        others = squared > minded ? smaller(others, squared) : others;
+    }
+    nearby.far = std::sqrt(std::min({others[0], others[1], others[2], others[3]}));
+    return nearby;
 }
 
 } // namespace mane

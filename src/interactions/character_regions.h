@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/four.h"
 #include "character/surface.h"
 #include "interactions/character_region_test.h"
 
@@ -30,9 +31,9 @@ class CharacterRegions {
     /// `share`: of the bound on both.
     void approach(const RegionTest& test, const HairView& hair, std::size_t packet, double reach,
                   float share, RegionTest::Approach* rows);
-    /// Looks for a section's region again; `wanted` [m]: the radius that is of use. `near`: a
-    /// triangle that may be near; then the nearest, if it was met.
-    void renew(Slot slot, const Vec3& x, double wanted, std::uint32_t& near);
+    /// Looks for a section's region again; `least` [m]: how far what hangs on it reaches. `near`: a
+    /// triangle that may be near, or that is the `nearest`; then the nearest, if it was met.
+    void renew(Slot slot, const Vec3& x, double least, std::uint32_t& near, bool nearest);
 
     /// Whether the regions are those of the block that `surface` is in.
     bool current(const Surface& surface) const {
@@ -45,7 +46,26 @@ class CharacterRegions {
     void end() { ended_ = true; }
 
   private:
+    /// What a ball has over a plane.
+    struct Cap {
+        Vec3 normal;
+        float height = 1e30f; // no plane
+        double radius = 0;
+    };
+    struct Nearby {
+        std::uint64_t groups = 0;
+        float far = 0; // where the next of the others is
+    };
+    /// Four boxes side by side, [axis].
+    struct FourBoxes {
+        Four low[3], high[3];
+    };
+    static Cap cap_over(const PosedSurface& surface, const Vec3& x, const Vec3& normal,
+                        float distance, double least);
     void find_motion();
+    void find_boxes(const TriangleTree& tree);
+    Nearby groups_within(const Vec3& p, float radius) const;
+    void keep(Slot slot, const Vec3d& p, const Cap& cap, double ball, double wide);
     void find_stray(const Packet& packet);
     float& number(Slot slot, std::uint32_t column) { return region_.at(slot, column); }
     RegionQuestion question(const HairView& hair);
@@ -54,7 +74,7 @@ class CharacterRegions {
     std::uint64_t block_ = 0, jumps_ = 0;
     bool ended_ = false;
     std::vector<FrameMotion> motion_;
-    std::vector<TriangleTree::Box> boxes_; // of the groups, at the block's start
+    std::vector<FourBoxes> boxes_; // of the groups, at the block's start
     Rows region_;
     std::vector<std::uint64_t> groups_; // minded by each slot's region
 };

@@ -202,6 +202,30 @@ TEST_CASE("nothing of a surface is over its roof in a box") {
     CHECK(under > 30);
 }
 
+TEST_CASE("nothing of a surface is over its roof in a ball") {
+    const Random random(10, 1);
+    int below_that_of_the_box = 0;
+    for (const Case& c : small_meshes()) {
+        CAPTURE(c.name);
+        const Surface surface(c.mesh);
+        std::vector<SurfacePlace> around;
+        std::uint64_t n = 0;
+        for (const Vec3d& p : points_about(c.mesh, 60, 0.3)) {
+            ++n;
+            const float radius = random.between(n, 0, 0.1f);
+            const Vec3d way = normalized(random_point(random, n, 1));
+            const BallHeights heights(Vec3(way), Vec3(p), radius);
+            const float roof = surface.start().roof(heights, -1, 1);
+            surface.start().within(Vec3d(Vec3(p)), double(radius), around);
+            for (const SurfacePlace& place : around)
+                CHECK(dot(Vec3d(Vec3(way)), place.closest.point) <= double(roof));
+            const BoxHeights in_box = heights;
+            below_that_of_the_box += roof < surface.start().roof(in_box, -1, 1);
+        }
+    }
+    CHECK(below_that_of_the_box > 30);
+}
+
 TEST_CASE("every border is closed: winding numbers are whole everywhere") {
     std::vector<Case> cases = small_meshes();
     for (Case& c : real_meshes())
