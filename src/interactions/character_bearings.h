@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/four.h"
 #include "interactions/character_contact.h"
 #include "interactions/character_escape.h"
 #include "interactions/character_point.h"
@@ -20,10 +21,13 @@ namespace mane {
 /// point and surface have gone since, and from one search per section.
 class CharacterBearings {
   public:
-    /// `carried`: bodies × sections, found at the block's start, or now where they were not looked
-    /// for.
     CharacterBearings(const WispCopy& wisp, std::span<const ContactBody> bodies,
-                      std::span<CarriedPoint> carried, const Escape& escape);
+                      const Escape& escape)
+        : wisp_(wisp), bodies_(bodies), escape_(escape) {}
+
+    /// Another wisp was loaded. `carried`: bodies × sections, found at the block's start, or now
+    /// where they were not looked for.
+    void begin(std::span<CarriedPoint> carried);
 
     /// What a clear region tells: section i is outside body `b`, and its segment is free.
     void set_free(std::uint32_t i, std::uint32_t b);
@@ -51,6 +55,10 @@ class CharacterBearings {
     /// ends there: the axis, the section's envelope, the drawn surface halfway along the segment,
     /// and the way from where the section was carried. A bound that may fail to tell.
     bool segment_free(std::uint32_t i, std::uint32_t b);
+    /// The same of what is drawn of section i alone, and of the surface halfway along the segment
+    /// that ends there.
+    bool section_free(std::uint32_t i, std::uint32_t b);
+    bool halfway_free(std::uint32_t i, std::uint32_t b);
 
     /// Section i has moved.
     void forget(std::uint32_t i);
@@ -65,22 +73,31 @@ class CharacterBearings {
         Answer axis_free = Answer::unknown; ///< of the axis that ends here
         Answer segment_free = Answer::unknown;
     };
+    /// Points: the box around them, and how low they come along a way.
+    struct Extent {
+        Vec3 way;
+        Four low, high;
+        float lowest;
+
+        explicit Extent(const Vec3& along);
+        void add(const Four& point);
+    };
     bool find_segment_free(std::uint32_t i, std::uint32_t b);
-    bool clear_of_points(std::uint32_t b, const Vec3& way) const;
-    std::span<const Vec3> drawn(std::uint32_t i);
-    void add_halfway(std::uint32_t i);
+    bool over_roof(const Extent& extent, std::uint32_t b) const;
+    std::span<const Four> drawn(std::uint32_t i);
+    void add_drawn(std::uint32_t i, Extent& extent);
+    void add_halfway(std::uint32_t i, Extent& extent);
     Vec3 way_out(std::uint32_t i, std::uint32_t b) const;
     void settle(CarriedPoint& carried, std::uint32_t i, const Surface& surface) const;
     std::size_t at(std::uint32_t i, std::uint32_t b) const { return b * wisp_.sections() + i; }
 
     const WispCopy& wisp_;
     std::span<const ContactBody> bodies_;
-    std::span<CarriedPoint> carried_;
     const Escape& escape_;
+    std::span<CarriedPoint> carried_;
     std::vector<Vec3> came_to_;             // where the sections were before the reaction
     std::vector<Known> known_;              // bodies × sections
-    std::vector<Vec3> points_;              // of a segment
-    std::vector<Vec3> drawn_;               // sections × (1 + 2 K): see drawn()
+    std::vector<Four> drawn_;               // sections × (1 + 2 K): see drawn()
     std::vector<std::uint8_t> drawn_known_; // per section
 };
 

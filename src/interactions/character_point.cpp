@@ -21,6 +21,9 @@ void WispCopy::load(const HairView& hair, std::uint32_t number) {
     radius.resize(n * k());
     radius_rate.resize(n * k());
     answers_.resize(n);
+    // α = β on α² + β² + 2αβC = 1, where C is the same for all neighbouring half lines
+    const float c = lines_[0].cosine * lines_[1].cosine + lines_[0].sine * lines_[1].sine;
+    half_arc_ = 1 / std::sqrt(2 + 2 * c);
     for (std::uint32_t i = 0; i < n; ++i) {
         const Slot here = slot(hair, i);
         x[i] = hair.state.position.vec(here);
@@ -44,13 +47,6 @@ void WispCopy::store_place(const HairView& hair, std::uint32_t section, State& s
 float WispCopy::largest_radius(std::uint32_t section) const {
     const float* first = radius.data() + section * k();
     return *std::max_element(first, first + k());
-}
-
-// α = β on α² + β² + 2αβC = 1.
-WispPoint WispCopy::half_arc(std::uint32_t section, std::uint32_t line) const {
-    const float c = dot(d(section, line), d(section, next(line)));
-    const float share = 1 / std::sqrt(2 + 2 * c);
-    return {section, 0, line, share, share};
 }
 
 Vec3 WispCopy::halfway(std::uint32_t i, const WispPoint& place) const {

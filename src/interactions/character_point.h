@@ -65,7 +65,9 @@ class WispCopy {
     Vec3 velocity(const WispPoint& p) const;
 
     /// The middle of the drawn arc from half line `line` of a section to the next.
-    WispPoint half_arc(std::uint32_t section, std::uint32_t line) const;
+    WispPoint half_arc(std::uint32_t section, std::uint32_t line) const {
+        return {section, 0, line, half_arc_, half_arc_};
+    }
     /// The point of a strand's curve halfway from section i − 1 (not the first) to i: Catmull-Rom
     /// through its places in four sections. `place` says where in a section; its section does not
     /// count.
@@ -83,6 +85,7 @@ class WispCopy {
     std::uint32_t number_ = 0;
     std::span<const HalfLine> lines_;
     std::vector<std::uint8_t> answers_;
+    float half_arc_ = 0; // the share of both half lines in the middle of an arc
 };
 
 inline Vec3 WispCopy::offset(std::uint32_t s, const WispPoint& p) const {

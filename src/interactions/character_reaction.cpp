@@ -17,12 +17,17 @@ constexpr float kLongestLever =
 /// to tip.
 class Reactor {
   public:
-    Reactor(WispCopy& wisp, std::span<const ContactBody> bodies, std::span<CarriedPoint> carried,
-            double push_out)
+    Reactor(WispCopy& wisp, std::span<const ContactBody> bodies, double push_out)
         : wisp_(wisp), bodies_(bodies), escape_(bodies, push_out),
-          bearings_(wisp, bodies, carried, escape_), exempt_(wisp.sections() * bodies.size(), 0),
-          moved_(wisp.sections(), false) {}
+          bearings_(wisp, bodies, escape_) {}
 
+    /// Another wisp was loaded. `carried`: as CharacterBearings takes them.
+    void begin(std::span<CarriedPoint> carried) {
+        bearings_.begin(carried);
+        exempt_.assign(wisp_.sections() * bodies_.size(), 0);
+        moved_.assign(wisp_.sections(), false);
+        reactions_.clear();
+    }
     CharacterBearings& bearings() { return bearings_; }
 
     void run() {
@@ -107,10 +112,14 @@ class Reactor {
         // carried it to where it is.
         const bool may_have_path = with_path && !bearings_.segment_free(i, b);
         const CarriedPoint carried = may_have_path ? bearings_.carried(i, b) : CarriedPoint{};
-        const bool has_path = carried.near && !bearings_.clear_way(i, b, carried.position, 0) &&
-                              !escape_.inside(carried.position, b);
-        const std::optional<Escape::Entry> entry =
-            has_path ? escape_.entry(b, carried.position, p) : std::nullopt;
+        std::optional<Escape::Entry> entry;
+        if (carried.near)
+            entry = escape_.entry(b, carried.position, p);
+        if (!inside && !entry)
+            return false;
+        const bool has_path = carried.near && !escape_.inside(carried.position, b);
+        if (!has_path)
+            entry.reset();
         if (!inside && !entry)
             return false;
 
@@ -241,6 +250,8 @@ class Reactor {
     void shrink_section(std::uint32_t i, std::uint32_t b) {
         if (exempt(i, b) || bearings_.segment_free(i, b))
             return;
+        if (bearings_.section_free(i, b))
+            return;
         const Vec3 centre = wisp_.x[i];
         const double clear = bearings_.clear(i, b);
         if (clear >= double(bearings_.enough(i)))
@@ -264,6 +275,8 @@ class Reactor {
     /// rides the skin with radii of its own, and the second one cannot make up for them.
     void shrink_between(std::uint32_t i, std::uint32_t b) {
         if (!WispCopy::simulated(i - 1) || exempt(i - 1, b) || bearings_.segment_free(i, b))
+            return;
+        if (bearings_.halfway_free(i, b))
             return;
         const Vec3 centre = wisp_.halfway(i, {});
         const float farthest = farthest_halfway(i) + CharacterBearings::kOver;
@@ -372,6 +385,7 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
         for (std::size_t b = 0; current && b < bodies.size(); ++b)
             regions_[b].stay(region_test_, hair, p, free.of_body(b));
         WispCopy wisp;
+        Reactor reactor(wisp, bodies, double(desc.push_out));
         for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
             const std::uint32_t w = packet.wisp[lane];
             if (w == Layout::kNoWisp || free.whole_wisp(bodies.size(), lane))
@@ -379,7 +393,7 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
             wisp.load(hair, w);
             // without a detection, nothing is known of the block's start
             carried_[w].resize(bodies.size() * wisp.sections());
-            Reactor reactor(wisp, bodies, carried_[w], double(desc.push_out));
+            reactor.begin(carried_[w]);
             for (std::uint32_t b = 0; b < bodies.size(); ++b)
                 for (std::uint32_t i = 2; i < wisp.sections(); ++i)
                     if (free.segment(b, lane, i))

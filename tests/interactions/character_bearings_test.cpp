@@ -103,7 +103,8 @@ TEST_CASE("what the reaction knows without asking is what it would be told") {
             carried.back().position = x + dice.ball(0.002f);
         }
 
-        CharacterBearings bearings(wisp, bodies, carried, escape);
+        CharacterBearings bearings(wisp, bodies, escape);
+        bearings.begin(carried);
         for (std::uint32_t i = 2; i < wisp.sections(); ++i) {
             if (dice.within(0, 1) < 0.2f) {
                 wisp.x[i] += dice.ball(0.02f);
