@@ -132,18 +132,22 @@ bool CharacterBearings::halfway_free(std::uint32_t i, std::uint32_t b) {
     return over_roof(extent, b);
 }
 
-/// The axis, the envelope points and the arcs' middles of a section.
+/// The axis, the envelope points and the arcs' middles of a section; the latter but for rounding.
 std::span<const Four> CharacterBearings::drawn(std::uint32_t i) {
-    const std::size_t count = 1 + 2 * wisp_.k();
-    const auto places = std::span(drawn_).subspan(i * count, count);
-    if (!drawn_known_[i]) {
-        places[0] = four(wisp_.x[i]);
-        for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
-            places[1 + 2 * line] = four(wisp_.position({i, 0, line, 1, 0}));
-            places[2 + 2 * line] = four(wisp_.position(wisp_.half_arc(i, line)));
-        }
-        drawn_known_[i] = 1;
-    }
+    const std::uint32_t k = wisp_.k();
+    const auto places = std::span(drawn_).subspan(i * (1 + 2 * k), 1 + 2 * k);
+    if (drawn_known_[i])
+        return places;
+    const Four centre = four(wisp_.x[i]), share = four(wisp_.half_arc(i, 0).alpha);
+    const auto offsets = places.subspan(1, k), arcs = places.subspan(1 + k, k);
+    for (std::uint32_t line = 0; line < k; ++line)
+        offsets[line] = four(wisp_.d(i, line)) * four(wisp_.r(i, line));
+    for (std::uint32_t line = 0; line < k; ++line)
+        arcs[line] = centre + (offsets[line] + offsets[wisp_.next(line)]) * share;
+    for (Four& place : offsets)
+        place += centre;
+    places[0] = centre;
+    drawn_known_[i] = 1;
     return places;
 }
 

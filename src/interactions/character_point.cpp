@@ -1,7 +1,5 @@
 #include "interactions/character_point.h"
 
-#include "interactions/impulse.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -29,8 +27,9 @@ void WispCopy::load(const HairView& hair, std::uint32_t number) {
         x[i] = hair.state.position.vec(here);
         v[i] = hair.state.velocity.vec(here);
         answers_[i] = hair.rest.at(here, Rest::inverse_mass_across) > 0;
+        const Vec3 first = hair.frames.u.vec(here), second = hair.frames.v.vec(here);
         for (std::uint32_t line = 0; line < k(); ++line) {
-            directions[i * k() + line] = half_line_direction(hair, here, line);
+            directions[i * k() + line] = first * lines_[line].cosine + second * lines_[line].sine;
             r(i, line) = hair.state.radius.at(here, line);
             rate(i, line) = hair.state.radius_rate.at(here, line);
         }
