@@ -9,8 +9,6 @@
 namespace mane {
 namespace {
 
-/// [m] far over the rounding of distances in double, far under what shows.
-constexpr double kRounding = 1e-9;
 constexpr double kNear = 0.01; // [m]
 
 double distance(const Vec3& a, const Vec3& b) {
@@ -58,22 +56,6 @@ void CharacterBearings::settle(CarriedPoint& carried, std::uint32_t i,
         carried.position = Vec3(surface.carried_point(carried.triangle, from));
 }
 
-// A place of the surface goes no farther over the block than the vertices of its triangle.
-double CharacterBearings::clear(std::uint32_t i, std::uint32_t b, const Vec3& p, float enough) {
-    const CarriedPoint& carried = carried_[at(i, b)];
-    const Surface& surface = *bodies_[b].surface;
-    const double left = carried.clear - distance(p, carried.start) -
-                        surface.fastest() * surface.duration() - kRounding;
-    return left >= double(enough) ? left : escape_.distance(b, p, double(enough), carried.triangle);
-}
-
-double CharacterBearings::clear(std::uint32_t i, std::uint32_t b) {
-    double& known = known_[at(i, b)].clear;
-    if (known < 0)
-        known = clear(i, b, wisp_.x[i], enough(i));
-    return known;
-}
-
 bool CharacterBearings::inside(std::uint32_t i, std::uint32_t b) {
     Answer& known = known_[at(i, b)].inside;
     if (known == Answer::unknown) {
@@ -81,15 +63,6 @@ bool CharacterBearings::inside(std::uint32_t i, std::uint32_t b) {
         known = is ? Answer::yes : Answer::no;
     }
     return known == Answer::yes;
-}
-
-bool CharacterBearings::inside(std::uint32_t i, std::uint32_t b, const Vec3& p, double clear_ball) {
-    return clear_way(i, b, p, clear_ball) ? inside(i, b) : escape_.inside(p, b);
-}
-
-bool CharacterBearings::clear_way(std::uint32_t i, std::uint32_t b, const Vec3& p,
-                                  double clear_ball) {
-    return distance(wisp_.x[i], p) + kRounding < clear(i, b) + clear_ball;
 }
 
 bool CharacterBearings::axis_free(std::uint32_t i, std::uint32_t b) {
@@ -117,19 +90,19 @@ bool CharacterBearings::find_segment_free(std::uint32_t i, std::uint32_t b) {
     add_drawn(i, extent);
     if (WispCopy::simulated(i - 1))
         add_halfway(i, extent);
-    return over_roof(extent, b);
+    return roof(extent, b, extent.lowest).height <= extent.lowest;
 }
 
-bool CharacterBearings::section_free(std::uint32_t i, std::uint32_t b) {
+CharacterBearings::Roof CharacterBearings::section_roof(std::uint32_t i, std::uint32_t b) {
     Extent extent(way_out(i, b));
     add_drawn(i, extent);
-    return over_roof(extent, b);
+    return roof(extent, b, std::numeric_limits<float>::max());
 }
 
-bool CharacterBearings::halfway_free(std::uint32_t i, std::uint32_t b) {
+CharacterBearings::Roof CharacterBearings::halfway_roof(std::uint32_t i, std::uint32_t b) {
     Extent extent(way_out(i, b));
     add_halfway(i, extent);
-    return over_roof(extent, b);
+    return roof(extent, b, std::numeric_limits<float>::max());
 }
 
 /// The axis, the envelope points and the arcs' middles of a section; the latter but for rounding.
@@ -175,14 +148,17 @@ void CharacterBearings::Extent::add(const Four& point) {
     lowest = std::min(lowest, dot(four(way), point));
 }
 
-/// Whether a body's surface stays under points within the box around them.
-bool CharacterBearings::over_roof(const Extent& extent, std::uint32_t b) const {
+/// Within the box around the points; under the lowest of them it does not matter where. Looks no
+/// farther once it is over `enough`.
+CharacterBearings::Roof CharacterBearings::roof(const Extent& extent, std::uint32_t b,
+                                                float enough) const {
     const Four over = four(kOver);
     const BoxHeights heights(extent.way,
                              {first_three(extent.low - over), first_three(extent.high + over)});
     // also where the way is zero, all heights alike
-    const float lowest = extent.lowest - (heights.slack + kOver);
-    return bodies_[b].surface->end().roof(heights, lowest, lowest) <= lowest;
+    const float off = heights.slack + kOver;
+    return {extent.way,
+            bodies_[b].surface->end().roof(heights, extent.lowest - 2 * off, enough - off) + off};
 }
 
 /// From the polygon that was nearest at the block's start, to this section or to one before it:

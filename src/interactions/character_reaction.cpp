@@ -250,21 +250,17 @@ class Reactor {
     void shrink_section(std::uint32_t i, std::uint32_t b) {
         if (exempt(i, b) || bearings_.segment_free(i, b))
             return;
-        if (bearings_.section_free(i, b))
-            return;
         const Vec3 centre = wisp_.x[i];
-        const double clear = bearings_.clear(i, b);
-        if (clear >= double(bearings_.enough(i)))
-            return;
+        const CharacterBearings::Roof roof = bearings_.section_roof(i, b);
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             const WispPoint point{i, 0, line, 1, 0};
-            const float share = share_outside(b, centre, wisp_.position(point), clear);
+            const float share = share_outside(b, centre, wisp_.position(point), roof);
             if (share < 1)
                 scale(i, b, line, share);
         }
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             const Vec3 end = wisp_.position(wisp_.half_arc(i, line));
-            const float share = share_outside(b, centre, end, clear);
+            const float share = share_outside(b, centre, end, roof);
             if (share < 1)
                 scale_sector(i, b, line, share);
         }
@@ -276,19 +272,18 @@ class Reactor {
     void shrink_between(std::uint32_t i, std::uint32_t b) {
         if (!WispCopy::simulated(i - 1) || exempt(i - 1, b) || bearings_.segment_free(i, b))
             return;
-        if (bearings_.halfway_free(i, b))
-            return;
         const Vec3 centre = wisp_.halfway(i, {});
-        const float farthest = farthest_halfway(i) + CharacterBearings::kOver;
-        const double clear = bearings_.clear(i, b, centre, farthest);
-        if (clear >= double(farthest))
-            return;
-        const float reach = std::max(wisp_.largest_radius(i - 1), wisp_.largest_radius(i));
-        if (clear < double(reach) && bearings_.inside(i, b, centre, clear))
-            return;
+        CharacterBearings::Roof roof = bearings_.halfway_roof(i, b);
+        bool outside = false; // the centre, once it matters
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, wisp_.half_arc(i, line)}) {
-                const float share = share_outside(b, centre, wisp_.halfway(i, point), clear);
+                const Vec3 end = wisp_.halfway(i, point);
+                if (roof.under(centre, end))
+                    continue;
+                if (!outside && escape_.inside(centre, b))
+                    return;
+                outside = true;
+                const float share = share_outside(b, centre, end, roof);
                 if (share >= 1)
                     continue;
                 for (std::uint32_t section : {i - 1, i}) {
@@ -296,20 +291,22 @@ class Reactor {
                     if (point.beta > 0)
                         scale(section, b, wisp_.next(line), share);
                 }
+                roof =
+                    bearings_.halfway_roof(i, b); // a curve's tangents stay: not all moves inward
             }
         }
     }
 
-    /// The share of the way from `centre` (outside, with nothing nearer than `clear`) to `end` that
-    /// is outside; 1 when `end` is outside (M31).
-    float share_outside(std::uint32_t b, const Vec3& centre, const Vec3& end, double clear) {
-        const float way = length(end - centre);
-        if (double(way) < clear)
+    /// The share of the way from `centre` (outside) to `end` that is outside; 1 when `end` is
+    /// outside (M31).
+    float share_outside(std::uint32_t b, const Vec3& centre, const Vec3& end,
+                        const CharacterBearings::Roof& roof) {
+        if (roof.under(centre, end))
             return 1;
         const std::optional<Escape::Entry> entry = escape_.entry_to_stay(b, centre, end);
         if (!entry)
             return 1;
-        return std::max(0.0f, static_cast<float>(entry->at) - kClear / way);
+        return std::max(0.0f, static_cast<float>(entry->at) - kClear / length(end - centre));
     }
 
     void scale(std::uint32_t i, std::uint32_t b, std::uint32_t line, float share) {
@@ -322,15 +319,6 @@ class Reactor {
     void scale_sector(std::uint32_t i, std::uint32_t b, std::uint32_t line, float share) {
         scale(i, b, line, share);
         scale(i, b, wisp_.next(line), share);
-    }
-
-    /// No point of a strand's curve there is farther from the axis.
-    float farthest_halfway(std::uint32_t i) const {
-        const auto radius = [&](std::uint32_t section) {
-            return wisp_.largest_radius(std::min(section, wisp_.sections() - 1));
-        };
-        return (radius(i - 1) + radius(i)) * (9.0f / 16) +
-               (radius(i - 2) + radius(i + 1)) * (1.0f / 16);
     }
 
     WispCopy& wisp_;
