@@ -29,6 +29,11 @@ inline Four four(float x) {
 inline Vec3 first_three(const Four& a) {
     return {a[0], a[1], a[2]};
 }
+/// The sum of all four.
+inline float sum_of(const Four& a) {
+    const Four halves = a + __builtin_shufflevector(a, a, 2, 3, 0, 1);
+    return halves[0] + halves[1];
+}
 /// The dot product of the first three.
 inline float dot(const Four& a, const Four& b) {
     const Four m = a * b;

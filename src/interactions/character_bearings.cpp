@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mane {
 namespace {
 
-/// [m] far over the rounding of distances in double, far under what shows.
-constexpr double kRounding = 1e-9;
 constexpr double kNear = 0.01; // [m]
 
 double distance(const Vec3& a, const Vec3& b) {
@@ -18,11 +17,13 @@ double distance(const Vec3& a, const Vec3& b) {
 
 } // namespace
 
-CharacterBearings::CharacterBearings(const WispCopy& wisp, std::span<const ContactBody> bodies,
-                                     std::span<CarriedPoint> carried, const Escape& escape)
-    : wisp_(wisp), bodies_(bodies), carried_(carried), escape_(escape), came_to_(wisp.x),
-      known_(carried.size()), drawn_(wisp.sections() * (1 + 2 * wisp.k())),
-      drawn_known_(wisp.sections(), 0) {}
+void CharacterBearings::begin(std::span<CarriedPoint> carried) {
+    carried_ = carried;
+    came_to_ = wisp_.x;
+    known_.assign(carried.size(), {});
+    drawn_.resize(wisp_.sections() * (1 + 2 * wisp_.k()));
+    drawn_known_.assign(wisp_.sections(), 0);
+}
 
 void CharacterBearings::set_free(std::uint32_t i, std::uint32_t b) {
     known_[at(i, b)].inside = Answer::no;
@@ -55,22 +56,6 @@ void CharacterBearings::settle(CarriedPoint& carried, std::uint32_t i,
         carried.position = Vec3(surface.carried_point(carried.triangle, from));
 }
 
-// A place of the surface goes no farther over the block than the vertices of its triangle.
-double CharacterBearings::clear(std::uint32_t i, std::uint32_t b, const Vec3& p, float enough) {
-    const CarriedPoint& carried = carried_[at(i, b)];
-    const Surface& surface = *bodies_[b].surface;
-    const double left = carried.clear - distance(p, carried.start) -
-                        surface.fastest() * surface.duration() - kRounding;
-    return left >= double(enough) ? left : escape_.distance(b, p, double(enough), carried.triangle);
-}
-
-double CharacterBearings::clear(std::uint32_t i, std::uint32_t b) {
-    double& known = known_[at(i, b)].clear;
-    if (known < 0)
-        known = clear(i, b, wisp_.x[i], enough(i));
-    return known;
-}
-
 bool CharacterBearings::inside(std::uint32_t i, std::uint32_t b) {
     Answer& known = known_[at(i, b)].inside;
     if (known == Answer::unknown) {
@@ -80,21 +65,10 @@ bool CharacterBearings::inside(std::uint32_t i, std::uint32_t b) {
     return known == Answer::yes;
 }
 
-bool CharacterBearings::inside(std::uint32_t i, std::uint32_t b, const Vec3& p, double clear_ball) {
-    return clear_way(i, b, p, clear_ball) ? inside(i, b) : escape_.inside(p, b);
-}
-
-bool CharacterBearings::clear_way(std::uint32_t i, std::uint32_t b, const Vec3& p,
-                                  double clear_ball) {
-    return distance(wisp_.x[i], p) + kRounding < clear(i, b) + clear_ball;
-}
-
 bool CharacterBearings::axis_free(std::uint32_t i, std::uint32_t b) {
     Answer& known = known_[at(i, b)].axis_free;
     if (known == Answer::unknown) {
-        const Vec3& before = wisp_.x[i - 1];
-        const bool is = segment_free(i, b) || clear_way(i, b, before, clear(i - 1, b)) ||
-                        escape_.free(b, before, wisp_.x[i]);
+        const bool is = segment_free(i, b) || escape_.free(b, wisp_.x[i - 1], wisp_.x[i]);
         known = is ? Answer::yes : Answer::no;
     }
     return known == Answer::yes;
@@ -109,50 +83,82 @@ bool CharacterBearings::segment_free(std::uint32_t i, std::uint32_t b) {
 
 bool CharacterBearings::find_segment_free(std::uint32_t i, std::uint32_t b) {
     const CarriedPoint& carried = this->carried(i, b);
-    points_.assign({wisp_.x[i - 1], wisp_.x[i]});
+    Extent extent(way_out(i, b));
+    extent.add(four(wisp_.x[i - 1]));
     if (carried.near)
-        points_.push_back(carried.position);
-    const auto here = drawn(i);
-    points_.insert(points_.end(), here.begin(), here.end());
+        extent.add(four(carried.position));
+    add_drawn(i, extent);
     if (WispCopy::simulated(i - 1))
-        add_halfway(i);
-    return clear_of_points(b, way_out(i, b));
+        add_halfway(i, extent);
+    return roof(extent, b, extent.lowest).height <= extent.lowest;
 }
 
-/// The axis, the envelope points and the arcs' middles of a section.
-std::span<const Vec3> CharacterBearings::drawn(std::uint32_t i) {
-    const std::size_t count = 1 + 2 * wisp_.k();
-    const auto places = std::span(drawn_).subspan(i * count, count);
-    if (!drawn_known_[i]) {
-        places[0] = wisp_.x[i];
-        for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
-            places[1 + 2 * line] = wisp_.position({i, 0, line, 1, 0});
-            places[2 + 2 * line] = wisp_.position(wisp_.half_arc(i, line));
-        }
-        drawn_known_[i] = 1;
-    }
+CharacterBearings::Roof CharacterBearings::section_roof(std::uint32_t i, std::uint32_t b) {
+    Extent extent(way_out(i, b));
+    add_drawn(i, extent);
+    return roof(extent, b, std::numeric_limits<float>::max());
+}
+
+CharacterBearings::Roof CharacterBearings::halfway_roof(std::uint32_t i, std::uint32_t b) {
+    Extent extent(way_out(i, b));
+    add_halfway(i, extent);
+    return roof(extent, b, std::numeric_limits<float>::max());
+}
+
+/// The axis, the envelope points and the arcs' middles of a section; the latter but for rounding.
+std::span<const Four> CharacterBearings::drawn(std::uint32_t i) {
+    const std::uint32_t k = wisp_.k();
+    const auto places = std::span(drawn_).subspan(i * (1 + 2 * k), 1 + 2 * k);
+    if (drawn_known_[i])
+        return places;
+    const Four centre = four(wisp_.x[i]), share = four(wisp_.half_arc(i, 0).alpha);
+    const auto offsets = places.subspan(1, k), arcs = places.subspan(1 + k, k);
+    for (std::uint32_t line = 0; line < k; ++line)
+        offsets[line] = four(wisp_.d(i, line)) * four(wisp_.r(i, line));
+    for (std::uint32_t line = 0; line < k; ++line)
+        arcs[line] = centre + (offsets[line] + offsets[wisp_.next(line)]) * share;
+    for (Four& place : offsets)
+        place += centre;
+    places[0] = centre;
+    drawn_known_[i] = 1;
     return places;
 }
 
+void CharacterBearings::add_drawn(std::uint32_t i, Extent& extent) {
+    for (const Four& place : drawn(i))
+        extent.add(place);
+}
+
 /// WispCopy::halfway of all that is drawn, but for rounding.
-void CharacterBearings::add_halfway(std::uint32_t i) {
+void CharacterBearings::add_halfway(std::uint32_t i, Extent& extent) {
     const auto before = drawn(i - 1), here = drawn(i), first = drawn(i - 2),
                last = drawn(std::min(i + 1, wisp_.sections() - 1));
     for (std::size_t n = 0; n < here.size(); ++n)
-        points_.push_back((before[n] + here[n]) * (9.0f / 16) - (first[n] + last[n]) * (1.0f / 16));
+        extent.add((before[n] + here[n]) * four(9.0f / 16) -
+                   (first[n] + last[n]) * four(1.0f / 16));
 }
 
-bool CharacterBearings::clear_of_points(std::uint32_t b, const Vec3& way) const {
-    TriangleTree::Box box{points_[0], points_[0]};
-    float lowest = dot(way, points_[0]);
-    for (const Vec3& p : points_) {
-        box = both(box, {p, p});
-        lowest = std::min(lowest, dot(way, p));
-    }
-    const Vec3 over(kOver, kOver, kOver);
-    const BoxHeights heights(way, {box.low - over, box.high + over});
-    lowest -= heights.slack + kOver; // also where the way is zero, all heights alike
-    return bodies_[b].surface->end().roof(heights, lowest, lowest) <= lowest;
+CharacterBearings::Extent::Extent(const Vec3& along)
+    : way(along), low(four(std::numeric_limits<float>::max())), high(-low),
+      lowest(std::numeric_limits<float>::max()) {}
+
+void CharacterBearings::Extent::add(const Four& point) {
+    low = smaller(low, point);
+    high = larger(high, point);
+    lowest = std::min(lowest, dot(four(way), point));
+}
+
+/// Within the box around the points; under the lowest of them it does not matter where. Looks no
+/// farther once it is over `enough`.
+CharacterBearings::Roof CharacterBearings::roof(const Extent& extent, std::uint32_t b,
+                                                float enough) const {
+    const Four over = four(kOver);
+    const BoxHeights heights(extent.way,
+                             {first_three(extent.low - over), first_three(extent.high + over)});
+    // also where the way is zero, all heights alike
+    const float off = heights.slack + kOver;
+    return {extent.way,
+            bodies_[b].surface->end().roof(heights, extent.lowest - 2 * off, enough - off) + off};
 }
 
 /// From the polygon that was nearest at the block's start, to this section or to one before it:

@@ -1,49 +1,39 @@
 #pragma once
 
+#include "base/four.h"
 #include "interactions/character_contact.h"
 #include "interactions/character_escape.h"
 #include "interactions/character_point.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace mane {
 
-/// What the penetration reaction knows of a wisp at the block's end: how far its sections are from
-/// the bodies and which are inside. An answer is found when first asked for, and forgotten when the
-/// section moves.
+/// What the penetration reaction knows of a wisp at the block's end: which sections are inside
+/// bodies, and what no surface comes near. An answer is found when first asked for, and forgotten
+/// when the section moves.
 ///
-/// Most need no query of their own. A ball round a point that holds no part of a surface is
-/// *clear*: a way inside clear balls meets no surface, and its two ends are inside together or
-/// outside together. Clear balls come from the detection at the block's start, less the ways that
-/// point and surface have gone since, and from one search per section.
+/// Most need no query of their own: where the surface of a body stays under all points of a hull,
+/// along one way, nothing of it is between them.
 class CharacterBearings {
   public:
-    /// `carried`: bodies × sections, found at the block's start, or now where they were not looked
-    /// for.
     CharacterBearings(const WispCopy& wisp, std::span<const ContactBody> bodies,
-                      std::span<CarriedPoint> carried, const Escape& escape);
+                      const Escape& escape)
+        : wisp_(wisp), bodies_(bodies), escape_(escape) {}
+
+    /// Another wisp was loaded. `carried`: bodies × sections, found at the block's start, or now
+    /// where they were not looked for.
+    void begin(std::span<CarriedPoint> carried);
 
     /// What a clear region tells: section i is outside body `b`, and its segment is free.
     void set_free(std::uint32_t i, std::uint32_t b);
     /// Section i at the block's start, and carried along with body `b`.
     const CarriedPoint& carried(std::uint32_t i, std::uint32_t b);
 
-    /// The radius of a clear ball round `p`, near section i [m]: the distance to body `b` where
-    /// that is under `enough`, else at least `enough`.
-    double clear(std::uint32_t i, std::uint32_t b, const Vec3& p, float enough);
-    /// The same round section i.
-    double clear(std::uint32_t i, std::uint32_t b);
-    /// [m] a ball round section i that holds all of its envelope.
-    float enough(std::uint32_t i) const { return wisp_.largest_radius(i) + kOver; }
-    static constexpr float kOver = 1e-5f; ///< [m] over the rounding of positions
-
     bool inside(std::uint32_t i, std::uint32_t b);
-    /// Whether `p`, with a clear ball round it, is inside body `b`; section i is near.
-    bool inside(std::uint32_t i, std::uint32_t b, const Vec3& p, double clear_ball);
-    /// Whether the way from section i to `p` stays in clear balls round both.
-    bool clear_way(std::uint32_t i, std::uint32_t b, const Vec3& p, double clear_ball);
     /// Whether the axis from section i − 1 to i meets no surface of body `b`.
     bool axis_free(std::uint32_t i, std::uint32_t b);
 
@@ -52,35 +42,59 @@ class CharacterBearings {
     /// and the way from where the section was carried. A bound that may fail to tell.
     bool segment_free(std::uint32_t i, std::uint32_t b);
 
+    /// How high a body's surface comes along a way, near some points.
+    struct Roof {
+        Vec3 way;
+        float height;
+
+        /// Whether it stays under the line between two of the points.
+        bool under(const Vec3& a, const Vec3& b) const {
+            return std::min(dot(way, a), dot(way, b)) > height;
+        }
+    };
+    /// Near what is drawn of section i.
+    Roof section_roof(std::uint32_t i, std::uint32_t b);
+    /// Near what is drawn halfway along the segment that ends there.
+    Roof halfway_roof(std::uint32_t i, std::uint32_t b);
+
     /// Section i has moved.
     void forget(std::uint32_t i);
     /// The envelope of section i has.
     void forget_envelope(std::uint32_t i);
 
   private:
+    static constexpr float kOver = 1e-5f; // [m] over the rounding of positions
     enum class Answer : std::uint8_t { unknown, no, yes };
     struct Known {
-        double clear = -1; ///< negative: unknown
         Answer inside = Answer::unknown;
         Answer axis_free = Answer::unknown; ///< of the axis that ends here
         Answer segment_free = Answer::unknown;
     };
+    /// Points: the box around them, and how low they come along a way.
+    struct Extent {
+        Vec3 way;
+        Four low, high;
+        float lowest;
+
+        explicit Extent(const Vec3& along);
+        void add(const Four& point);
+    };
     bool find_segment_free(std::uint32_t i, std::uint32_t b);
-    bool clear_of_points(std::uint32_t b, const Vec3& way) const;
-    std::span<const Vec3> drawn(std::uint32_t i);
-    void add_halfway(std::uint32_t i);
+    Roof roof(const Extent& extent, std::uint32_t b, float enough) const;
+    std::span<const Four> drawn(std::uint32_t i);
+    void add_drawn(std::uint32_t i, Extent& extent);
+    void add_halfway(std::uint32_t i, Extent& extent);
     Vec3 way_out(std::uint32_t i, std::uint32_t b) const;
     void settle(CarriedPoint& carried, std::uint32_t i, const Surface& surface) const;
     std::size_t at(std::uint32_t i, std::uint32_t b) const { return b * wisp_.sections() + i; }
 
     const WispCopy& wisp_;
     std::span<const ContactBody> bodies_;
-    std::span<CarriedPoint> carried_;
     const Escape& escape_;
+    std::span<CarriedPoint> carried_;
     std::vector<Vec3> came_to_;             // where the sections were before the reaction
     std::vector<Known> known_;              // bodies × sections
-    std::vector<Vec3> points_;              // of a segment
-    std::vector<Vec3> drawn_;               // sections × (1 + 2 K): see drawn()
+    std::vector<Four> drawn_;               // sections × (1 + 2 K): see drawn()
     std::vector<std::uint8_t> drawn_known_; // per section
 };
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace mane {
@@ -73,6 +74,8 @@ class CharacterContacts {
 
   private:
     void begin(const HairView& hair, std::span<const ContactBody> bodies);
+    template <int kFours> void respond_with(const HairView& hair, const SlidingStep& step,
+                                            State& state, Threads& threads);
 
     Ablation ablation_;
     RegionTest region_test_;
@@ -82,7 +85,8 @@ class CharacterContacts {
     std::vector<Reaction> reactions_;
     double duration_ = 0;
     std::vector<std::vector<Vec3>> impulses_; // per wisp and contact, of the last step
-    std::vector<SlidingResponse> responses_;  // scratch, per chunk of wisps
+    // scratch, per chunk of wisps: of hair with up to four envelope points, and with more
+    std::tuple<std::vector<SlidingResponse<1>>, std::vector<SlidingResponse<2>>> responses_;
 };
 
 /// Throws InputError naming the wisp when its x₁ is inside a body that is not worn, in the bodies'

@@ -253,8 +253,7 @@ void look_for_contacts(const HairView& hair, std::span<const ContactBody> bodies
                        const WispDetection& task, std::span<CharacterRegions> regions,
                        DetectionScratch& scratch) {
     WispCopy& wisp = scratch.wisp;
-    wisp.load_motion(hair, task.wisp, 0,
-                     static_cast<std::uint32_t>(hair.groom.sections(task.wisp)));
+    wisp.load(hair, task.wisp);
     const std::uint32_t sections = wisp.sections();
     for (std::uint32_t b = 0; b < bodies.size(); ++b) {
         const auto carried = std::span(task.carried).subspan(b * sections, sections);

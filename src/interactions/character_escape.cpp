@@ -88,9 +88,4 @@ Vec3 Escape::over(std::uint32_t b, const SurfacePlace& place, const Vec3& inside
     return Vec3(place.closest.point + way * height);
 }
 
-double Escape::distance(std::uint32_t b, const Vec3& p, double radius, std::uint32_t guess) const {
-    const auto place = pose(b).nearest(Vec3d(p), radius, guess);
-    return place ? std::sqrt(place->closest.squared) : radius;
-}
-
 } // namespace mane

@@ -45,10 +45,6 @@ class Escape {
         return over(b, place, inside, push_out_);
     }
 
-    /// Distance from `p` to body `b` where it is under `radius`, else `radius`. `guess`: a triangle
-    /// that may be near.
-    double distance(std::uint32_t b, const Vec3& p, double radius, std::uint32_t guess) const;
-
   private:
     const PosedSurface& pose(std::uint32_t b) const { return bodies_[b].surface->end(); }
     Vec3d outward(std::uint32_t b, const SurfacePlace& place, const Vec3d& inside) const;

@@ -4,66 +4,35 @@
 #include <cmath>
 
 namespace mane {
-namespace {
-
-/// A point's two sections with their weights; the second one counts only where the point is between
-/// sections.
-struct Shares {
-    std::array<std::uint32_t, 2> section;
-    std::array<float, 2> weight;
-    int count;
-};
-Shares shares(const WispPoint& p) {
-    return {{p.section, p.section + 1}, {1 - p.along, p.along}, p.along > 0 ? 2 : 1};
-}
-
-} // namespace
 
 Slot WispCopy::slot(const HairView& hair, std::uint32_t section) const {
     return hair.layout.slot(hair.groom.first_section[number_] + section);
 }
 
 void WispCopy::load(const HairView& hair, std::uint32_t number) {
-    load_motion(hair, number, 0, static_cast<std::uint32_t>(hair.groom.sections(number)));
-    load_masses(hair);
-}
-
-void WispCopy::load_motion(const HairView& hair, std::uint32_t number, std::uint32_t first,
-                           std::uint32_t end) {
     number_ = number;
-    first_ = first;
-    end_ = end;
     lines_ = hair.half_lines;
-    const std::size_t n = hair.groom.sections(number);
+    const auto n = static_cast<std::uint32_t>(hair.groom.sections(number));
     x.resize(n);
     v.resize(n);
     directions.resize(n * k());
     radius.resize(n * k());
     radius_rate.resize(n * k());
-    for (std::uint32_t i = first; i < end; ++i) {
+    answers_.resize(n);
+    // α = β on α² + β² + 2αβC = 1, where C is the same for all neighbouring half lines
+    const float c = lines_[0].cosine * lines_[1].cosine + lines_[0].sine * lines_[1].sine;
+    half_arc_ = 1 / std::sqrt(2 + 2 * c);
+    for (std::uint32_t i = 0; i < n; ++i) {
         const Slot here = slot(hair, i);
         x[i] = hair.state.position.vec(here);
         v[i] = hair.state.velocity.vec(here);
+        answers_[i] = hair.rest.at(here, Rest::inverse_mass_across) > 0;
+        const Vec3 first = hair.frames.u.vec(here), second = hair.frames.v.vec(here);
         for (std::uint32_t line = 0; line < k(); ++line) {
-            directions[i * k() + line] = half_line_direction(hair, here, line);
+            directions[i * k() + line] = first * lines_[line].cosine + second * lines_[line].sine;
             r(i, line) = hair.state.radius.at(here, line);
             rate(i, line) = hair.state.radius_rate.at(here, line);
         }
-    }
-}
-
-void WispCopy::load_masses(const HairView& hair) {
-    mass_.resize(x.size());
-    for (std::uint32_t i = first_; i < end_; ++i)
-        mass_[i] = SectionMass::of(hair, hair.groom.first_section[number_] + i);
-}
-
-void WispCopy::store_velocities(const HairView& hair, State& state) const {
-    for (std::uint32_t i = std::max(first_, 2u); i < end_; ++i) {
-        const Slot here = slot(hair, i);
-        state.velocity.set(here, v[i]);
-        for (std::uint32_t line = 0; line < k(); ++line)
-            state.radius_rate.at(here, line) = rate(i, line);
     }
 }
 
@@ -79,13 +48,6 @@ float WispCopy::largest_radius(std::uint32_t section) const {
     return *std::max_element(first, first + k());
 }
 
-// α = β on α² + β² + 2αβC = 1.
-WispPoint WispCopy::half_arc(std::uint32_t section, std::uint32_t line) const {
-    const float c = dot(d(section, line), d(section, next(line)));
-    const float share = 1 / std::sqrt(2 + 2 * c);
-    return {section, 0, line, share, share};
-}
-
 Vec3 WispCopy::halfway(std::uint32_t i, const WispPoint& place) const {
     const auto at = [&](std::uint32_t section) {
         WispPoint p = place;
@@ -93,53 +55,6 @@ Vec3 WispCopy::halfway(std::uint32_t i, const WispPoint& place) const {
         return position(p);
     };
     return (at(i - 1) + at(i)) * (9.0f / 16) - (at(i - 2) + at(i + 1)) * (1.0f / 16);
-}
-
-float WispCopy::inverse_mass(const WispPoint& p, const Vec3& e) const {
-    float sum = 0;
-    const Shares share = shares(p);
-    for (int j = 0; j < share.count; ++j) {
-        const std::uint32_t s = share.section[j];
-        if (!answers(s))
-            continue;
-        Vec3 rest = e;
-        float envelope = 0;
-        if (!p.on_axis()) {
-            const Vec3 d0 = d(s, p.k), d1 = d(s, next(p.k));
-            const float e0 = p.alpha * dot(d0, e), e1 = p.beta * dot(d1, e);
-            rest = e - d0 * e0 - d1 * e1;
-            envelope = (e0 * e0 + e1 * e1) * mass_[s].envelope;
-        }
-        sum += share.weight[j] * share.weight[j] *
-               (dot(rest, mass_[s].skeleton_response(rest)) + envelope);
-    }
-    return sum;
-}
-
-// The generalised coordinates are the skeleton's velocity ẋ and q = ṙ + ẋ·d of every envelope
-// point; the kinetic energy is diagonal in them (docs/model.md). The point's velocity is (I − α d
-// dᵀ − β d'd'ᵀ) ẋ + α d q + β d'q', so an impulse J gives q its part along the half lines and ẋ the
-// rest; a q that is not pushed stays, so ṙ takes up the skeleton's change.
-void WispCopy::push(const WispPoint& p, const Vec3& impulse) {
-    const Shares share = shares(p);
-    for (int j = 0; j < share.count; ++j) {
-        const std::uint32_t s = share.section[j];
-        if (!answers(s))
-            continue;
-        Vec3 rest = impulse * share.weight[j];
-        if (!p.on_axis()) {
-            const std::uint32_t l0 = p.k, l1 = next(p.k);
-            const Vec3 d0 = d(s, l0), d1 = d(s, l1);
-            const float q0 = p.alpha * dot(d0, rest), q1 = p.beta * dot(d1, rest);
-            rate(s, l0) += q0 * mass_[s].envelope;
-            rate(s, l1) += q1 * mass_[s].envelope;
-            rest = rest - d0 * q0 - d1 * q1;
-        }
-        const Vec3 change = mass_[s].skeleton_response(rest);
-        v[s] += change;
-        for (std::uint32_t line = 0; line < k(); ++line)
-            rate(s, line) -= dot(d(s, line), change);
-    }
 }
 
 // In a sector the surface is α² + β² + 2αβC = 1 (M14a). The farthest point along g has its gradient

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "interactions/impulse.h"
 #include "mane/vec.h"
 #include "model/state.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,33 +20,29 @@ struct WispPoint {
     float alpha = 0;           ///< share along half line k
     float beta = 0;            ///< share along half line k + 1
 
+    /// How many sections it is a point of, and the share of each.
+    std::uint32_t sections() const { return along > 0 ? 2 : 1; }
+    float weight(std::uint32_t j) const { return j == 0 ? 1 - along : along; }
     bool on_axis() const { return alpha == 0 && beta == 0; }
     /// The point of the axis that it hangs on.
     WispPoint axis() const { return {section, along, 0, 0, 0}; }
     bool operator==(const WispPoint&) const = default;
 };
 
-/// One wisp, unpacked: what the answers to a body read and write. Indices are sections from x₀.
+/// One wisp, unpacked: what detection and the penetration reaction read and write. Indices are
+/// sections from x₀.
 class WispCopy {
   public:
-    /// Reads wisp `number` of `hair`: positions, frames, radii, velocities, masses.
+    /// Reads wisp `number` of `hair`: positions, half lines, radii, velocities, who answers.
     void load(const HairView& hair, std::uint32_t number);
-    /// The same of its sections from `first` to before `end` only, without the masses; the others
-    /// hold nothing.
-    void load_motion(const HairView& hair, std::uint32_t number, std::uint32_t first,
-                     std::uint32_t end);
-    /// The masses of the sections that were read.
-    void load_masses(const HairView& hair);
-    /// Writes the velocities and rates of the simulated sections that were read back.
-    void store_velocities(const HairView& hair, State& state) const;
     /// Writes a section's position and radii back.
     void store_place(const HairView& hair, std::uint32_t section, State& state) const;
 
     std::uint32_t sections() const { return static_cast<std::uint32_t>(x.size()); }
     std::uint32_t k() const { return static_cast<std::uint32_t>(lines_.size()); }
     static bool simulated(std::uint32_t section) { return section >= 2; }
-    /// Whether a section answers: simulated and not pinned. Of those whose masses were read.
-    bool answers(std::uint32_t section) const { return mass_[section].across > 0; }
+    /// Whether a section answers: simulated and not pinned.
+    bool answers(std::uint32_t section) const { return answers_[section] != 0; }
 
     float& r(std::uint32_t section, std::uint32_t line) { return radius[section * k() + line]; }
     float r(std::uint32_t section, std::uint32_t line) const {
@@ -71,18 +65,13 @@ class WispCopy {
     Vec3 velocity(const WispPoint& p) const;
 
     /// The middle of the drawn arc from half line `line` of a section to the next.
-    WispPoint half_arc(std::uint32_t section, std::uint32_t line) const;
+    WispPoint half_arc(std::uint32_t section, std::uint32_t line) const {
+        return {section, 0, line, half_arc_, half_arc_};
+    }
     /// The point of a strand's curve halfway from section i − 1 (not the first) to i: Catmull-Rom
     /// through its places in four sections. `place` says where in a section; its section does not
     /// count.
     Vec3 halfway(std::uint32_t i, const WispPoint& place) const;
-
-    /// Inverse mass that an impulse along the unit direction `e` meets at a point [1/kg]: e·W e of
-    /// docs/interactions.md.
-    float inverse_mass(const WispPoint& p, const Vec3& e) const;
-    /// Answers the impulse `j` [N·s] at a point (M27): changes velocities and rates of its
-    /// sections.
-    void push(const WispPoint& p, const Vec3& j);
 
     std::vector<Vec3> x, v;                 ///< position and velocity per section
     std::vector<float> radius, radius_rate; ///< K per section
@@ -93,9 +82,10 @@ class WispCopy {
     Vec3 offset(std::uint32_t section, const WispPoint& p) const;
     Vec3 offset_rate(std::uint32_t section, const WispPoint& p) const;
 
-    std::uint32_t number_ = 0, first_ = 0, end_ = 0;
+    std::uint32_t number_ = 0;
     std::span<const HalfLine> lines_;
-    std::vector<SectionMass> mass_;
+    std::vector<std::uint8_t> answers_;
+    float half_arc_ = 0; // the share of both half lines in the middle of an arc
 };
 
 inline Vec3 WispCopy::offset(std::uint32_t s, const WispPoint& p) const {

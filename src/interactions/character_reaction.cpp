@@ -17,12 +17,17 @@ constexpr float kLongestLever =
 /// to tip.
 class Reactor {
   public:
-    Reactor(WispCopy& wisp, std::span<const ContactBody> bodies, std::span<CarriedPoint> carried,
-            double push_out)
+    Reactor(WispCopy& wisp, std::span<const ContactBody> bodies, double push_out)
         : wisp_(wisp), bodies_(bodies), escape_(bodies, push_out),
-          bearings_(wisp, bodies, carried, escape_), exempt_(wisp.sections() * bodies.size(), 0),
-          moved_(wisp.sections(), false) {}
+          bearings_(wisp, bodies, escape_) {}
 
+    /// Another wisp was loaded. `carried`: as CharacterBearings takes them.
+    void begin(std::span<CarriedPoint> carried) {
+        bearings_.begin(carried);
+        exempt_.assign(wisp_.sections() * bodies_.size(), 0);
+        moved_.assign(wisp_.sections(), false);
+        reactions_.clear();
+    }
     CharacterBearings& bearings() { return bearings_; }
 
     void run() {
@@ -107,10 +112,14 @@ class Reactor {
         // carried it to where it is.
         const bool may_have_path = with_path && !bearings_.segment_free(i, b);
         const CarriedPoint carried = may_have_path ? bearings_.carried(i, b) : CarriedPoint{};
-        const bool has_path = carried.near && !bearings_.clear_way(i, b, carried.position, 0) &&
-                              !escape_.inside(carried.position, b);
-        const std::optional<Escape::Entry> entry =
-            has_path ? escape_.entry(b, carried.position, p) : std::nullopt;
+        std::optional<Escape::Entry> entry;
+        if (carried.near)
+            entry = escape_.entry(b, carried.position, p);
+        if (!inside && !entry)
+            return false;
+        const bool has_path = carried.near && !escape_.inside(carried.position, b);
+        if (!has_path)
+            entry.reset();
         if (!inside && !entry)
             return false;
 
@@ -242,18 +251,16 @@ class Reactor {
         if (exempt(i, b) || bearings_.segment_free(i, b))
             return;
         const Vec3 centre = wisp_.x[i];
-        const double clear = bearings_.clear(i, b);
-        if (clear >= double(bearings_.enough(i)))
-            return;
+        const CharacterBearings::Roof roof = bearings_.section_roof(i, b);
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             const WispPoint point{i, 0, line, 1, 0};
-            const float share = share_outside(b, centre, wisp_.position(point), clear);
+            const float share = share_outside(b, centre, wisp_.position(point), roof);
             if (share < 1)
                 scale(i, b, line, share);
         }
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             const Vec3 end = wisp_.position(wisp_.half_arc(i, line));
-            const float share = share_outside(b, centre, end, clear);
+            const float share = share_outside(b, centre, end, roof);
             if (share < 1)
                 scale_sector(i, b, line, share);
         }
@@ -266,16 +273,17 @@ class Reactor {
         if (!WispCopy::simulated(i - 1) || exempt(i - 1, b) || bearings_.segment_free(i, b))
             return;
         const Vec3 centre = wisp_.halfway(i, {});
-        const float farthest = farthest_halfway(i) + CharacterBearings::kOver;
-        const double clear = bearings_.clear(i, b, centre, farthest);
-        if (clear >= double(farthest))
-            return;
-        const float reach = std::max(wisp_.largest_radius(i - 1), wisp_.largest_radius(i));
-        if (clear < double(reach) && bearings_.inside(i, b, centre, clear))
-            return;
+        CharacterBearings::Roof roof = bearings_.halfway_roof(i, b);
+        bool outside = false; // the centre, once it matters
         for (std::uint32_t line = 0; line < wisp_.k(); ++line) {
             for (const WispPoint& point : {WispPoint{i, 0, line, 1, 0}, wisp_.half_arc(i, line)}) {
-                const float share = share_outside(b, centre, wisp_.halfway(i, point), clear);
+                const Vec3 end = wisp_.halfway(i, point);
+                if (roof.under(centre, end))
+                    continue;
+                if (!outside && escape_.inside(centre, b))
+                    return;
+                outside = true;
+                const float share = share_outside(b, centre, end, roof);
                 if (share >= 1)
                     continue;
                 for (std::uint32_t section : {i - 1, i}) {
@@ -283,20 +291,22 @@ class Reactor {
                     if (point.beta > 0)
                         scale(section, b, wisp_.next(line), share);
                 }
+                roof =
+                    bearings_.halfway_roof(i, b); // a curve's tangents stay: not all moves inward
             }
         }
     }
 
-    /// The share of the way from `centre` (outside, with nothing nearer than `clear`) to `end` that
-    /// is outside; 1 when `end` is outside (M31).
-    float share_outside(std::uint32_t b, const Vec3& centre, const Vec3& end, double clear) {
-        const float way = length(end - centre);
-        if (double(way) < clear)
+    /// The share of the way from `centre` (outside) to `end` that is outside; 1 when `end` is
+    /// outside (M31).
+    float share_outside(std::uint32_t b, const Vec3& centre, const Vec3& end,
+                        const CharacterBearings::Roof& roof) {
+        if (roof.under(centre, end))
             return 1;
         const std::optional<Escape::Entry> entry = escape_.entry_to_stay(b, centre, end);
         if (!entry)
             return 1;
-        return std::max(0.0f, static_cast<float>(entry->at) - kClear / way);
+        return std::max(0.0f, static_cast<float>(entry->at) - kClear / length(end - centre));
     }
 
     void scale(std::uint32_t i, std::uint32_t b, std::uint32_t line, float share) {
@@ -309,15 +319,6 @@ class Reactor {
     void scale_sector(std::uint32_t i, std::uint32_t b, std::uint32_t line, float share) {
         scale(i, b, line, share);
         scale(i, b, wisp_.next(line), share);
-    }
-
-    /// No point of a strand's curve there is farther from the axis.
-    float farthest_halfway(std::uint32_t i) const {
-        const auto radius = [&](std::uint32_t section) {
-            return wisp_.largest_radius(std::min(section, wisp_.sections() - 1));
-        };
-        return (radius(i - 1) + radius(i)) * (9.0f / 16) +
-               (radius(i - 2) + radius(i + 1)) * (1.0f / 16);
     }
 
     WispCopy& wisp_;
@@ -372,6 +373,7 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
         for (std::size_t b = 0; current && b < bodies.size(); ++b)
             regions_[b].stay(region_test_, hair, p, free.of_body(b));
         WispCopy wisp;
+        Reactor reactor(wisp, bodies, double(desc.push_out));
         for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
             const std::uint32_t w = packet.wisp[lane];
             if (w == Layout::kNoWisp || free.whole_wisp(bodies.size(), lane))
@@ -379,7 +381,7 @@ std::uint64_t CharacterContacts::react(const HairView& hair, std::span<const Con
             wisp.load(hair, w);
             // without a detection, nothing is known of the block's start
             carried_[w].resize(bodies.size() * wisp.sections());
-            Reactor reactor(wisp, bodies, carried_[w], double(desc.push_out));
+            reactor.begin(carried_[w]);
             for (std::uint32_t b = 0; b < bodies.size(); ++b)
                 for (std::uint32_t i = 2; i < wisp.sections(); ++i)
                     if (free.segment(b, lane, i))

@@ -20,133 +20,77 @@ constexpr std::size_t kNone = ~std::size_t{0};
 
 } // namespace
 
-void SlidingResponse::answer(const HairView& hair, std::uint32_t number,
-                             std::span<const SlidingContact> contacts, const Step& step,
-                             State& state, std::vector<Vec3>& impulses) {
-    const Slot root = hair.layout.slot(hair.groom.first_section[number]);
+template <int kFours>
+void SlidingResponse<kFours>::begin(const HairView& hair, const SlidingStep& step) {
+    wisp_.begin(hair);
+    step_ = step;
+}
+
+template <int kFours>
+void SlidingResponse<kFours>::answer(std::uint32_t number, std::span<const SlidingContact> contacts,
+                                     State& state, std::vector<Vec3>& impulses) {
     impulses.assign(contacts.size(), {});
-    if (std::all_of(contacts.begin(), contacts.end(),
-                    [&](const auto& contact) { return far_off(hair, root, contact, step); }))
-        return;
     contacts_ = contacts;
-    first_ = contacts.front().point.section;
-    end_ = first_ + 1;
-    for (const SlidingContact& contact : contacts)
-        end_ = std::max(end_, contact.point.section + (contact.point.along > 0 ? 2 : 1));
-    wisp_.load_motion(hair, number, first_, end_);
-    find_planes(step);
+    load(number);
+    find_planes();
     if (idle())
         return;
-    wisp_.load_masses(hair);
-    drag(step.drag);
+    drag();
     stop_approach();
-    wisp_.store_velocities(hair, state);
+    wisp_.store(state);
     for (std::size_t c = 0; c < planes_.size(); ++c)
-        impulses[c] = planes_[c].normal * planes_[c].impulse + planes_[c].dragged;
+        impulses[c] =
+            first_three(planes_[c].normal * four(planes_[c].impulse) + planes_[c].dragged);
 }
 
-namespace {
-
-/// A point of a wisp, straight from the state.
-struct PointNow {
-    Vec3 position, velocity;
-};
-PointNow point_of_section(const HairView& hair, Slot slot, const WispPoint& point) {
-    PointNow now{hair.state.position.vec(slot), hair.state.velocity.vec(slot)};
-    if (point.on_axis())
-        return now;
-    const Vec3 u = hair.frames.u.vec(slot), v = hair.frames.v.vec(slot);
-    const auto add = [&](std::uint32_t line, float share) {
-        const HalfLine& d = hair.half_lines[line];
-        const Vec3 way = (u * d.cosine + v * d.sine) * share;
-        now.position += way * hair.state.radius.at(slot, line);
-        now.velocity += way * hair.state.radius_rate.at(slot, line);
-    };
-    add(point.k, point.alpha);
-    if (point.beta > 0)
-        add(point.k + 1 == hair.half_lines.size() ? 0 : point.k + 1, point.beta);
-    return now;
-}
-PointNow point_now(const HairView& hair, Slot root, const WispPoint& point) {
-    const Slot slot{root.row + point.section, root.lane};
-    const PointNow here = point_of_section(hair, slot, point);
-    if (point.along == 0)
-        return here;
-    const PointNow after = point_of_section(hair, {slot.row + 1, slot.lane}, point);
-    return {here.position * (1 - point.along) + after.position * point.along,
-            here.velocity * (1 - point.along) + after.velocity * point.along};
-}
-
-/// Not under the length, without a root.
-float at_least_length(const Vec3& v) {
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
-} // namespace
-
-/// Whether a contact has nothing to answer even if its point came straight at its plane: most
-/// planes, in most steps. The point is over the plane by at least its height along the normal,
-/// which is no longer than one between the block's ends. May fail to tell.
-bool SlidingResponse::far_off(const HairView& hair, Slot root, const SlidingContact& contact,
-                              const Step& step) {
-    constexpr float kOverRounding = 1e-5f; // [m]
-    constexpr float kSoftest = 2e-4f;      // [m] over where a gap closes softly
-    const PointNow point = point_now(hair, root, contact.point);
-    const Vec3 way = contact.normal + contact.normal_change * step.fraction;
-    const Vec3 from_anchor =
-        point.position - (contact.anchor + contact.anchor_change * step.fraction);
-    const float gap = dot(from_anchor, way) - contact.threshold - kOverRounding;
-    if (gap < kSoftest || dot(way, way) < 0.25f)
-        return false;
-    // |ṅ| is at most twice the change of what is not quite unit
-    const float closes = at_least_length(point.velocity) * step.duration +
-                         at_least_length(contact.anchor_change) +
-                         2 * at_least_length(from_anchor) * at_least_length(contact.normal_change);
-    return closes * step.dt < gap * step.duration;
-}
-
-void SlidingResponse::find_planes(const Step& step) {
-    planes_.clear();
+template <int kFours> void SlidingResponse<kFours>::load(std::uint32_t number) {
+    first_ = contacts_.front().point.section;
+    end_ = first_ + 1;
     for (const SlidingContact& contact : contacts_)
-        planes_.push_back(plane_now(contact, step));
+        end_ = std::max(end_, contact.point.section + contact.point.sections());
+    wisp_.load(number, first_, end_);
 }
 
-SlidingResponse::Plane SlidingResponse::plane_now(const SlidingContact& contact,
-                                                  const Step& step) const {
-    const Vec3 way = contact.normal + contact.normal_change * step.fraction;
-    const float size = length(way);
-    Plane plane;
-    plane.normal = way / size;
-    const Vec3 from_anchor =
-        wisp_.position(contact.point) - (contact.anchor + contact.anchor_change * step.fraction);
+template <int kFours> void SlidingResponse<kFours>::find_planes() {
+    planes_.resize(contacts_.size());
+    for (std::size_t c = 0; c < contacts_.size(); ++c)
+        find_plane(contacts_[c], planes_[c]);
+}
+
+template <int kFours>
+void SlidingResponse<kFours>::find_plane(const SlidingContact& contact, Plane& plane) const {
+    const Four passed = four(step_.fraction), normal_change = four(contact.normal_change),
+               anchor_change = four(contact.anchor_change);
+    const Four way = four(contact.normal) + normal_change * passed;
+    const float inverse_size = 1 / std::sqrt(dot(way, way)), per_second = 1 / step_.duration;
+    plane.normal = way * four(inverse_size);
+    const Four from_anchor =
+        wisp_.position(contact.point) - (four(contact.anchor) + anchor_change * passed);
     plane.distance = dot(from_anchor, plane.normal);
     // The plane moves with its anchor and turns: d/dt (p − a)·n = (v − ȧ)·n + (p − a)·ṅ with ṅ
     // across n.
-    const Vec3 turn =
-        contact.normal_change - plane.normal * dot(contact.normal_change, plane.normal);
-    const float turning = dot(from_anchor, turn) / (size * step.duration);
-    plane.velocity = contact.anchor_change / step.duration - plane.normal * turning;
+    const Four turn = normal_change - plane.normal * four(dot(normal_change, plane.normal));
+    const float turning = dot(from_anchor, turn) * (inverse_size * per_second);
+    plane.velocity = anchor_change * four(per_second) - plane.normal * four(turning);
+    if (!step_.polygons_move)
+        plane.velocity = Four{};
     // Nothing may pass the threshold within a step, ours: at 5 m/s a step of 1 ms is wider than the
     // threshold of 4 mm. The last of the gap closes softly: each block's planes fit the surface a
     // little differently, and a wisp that rests there would snap over some micrometres in one step.
     constexpr float kSoft = 1e-4f; // [m]
     const float gap = std::max(0.0f, plane.distance - contact.threshold);
-    plane.least_closing = -gap / step.dt * std::min(1.0f, gap / kSoft);
-    if (!step.polygons_move)
-        plane.velocity = {};
-    return plane;
-}
-
-float SlidingResponse::closing(std::size_t c) const {
-    const Plane& plane = planes_[c];
-    return dot(wisp_.velocity(contacts_[c].point) - plane.velocity, plane.normal);
+    plane.least = dot(plane.velocity, plane.normal) - gap / step_.dt * std::min(1.0f, gap / kSoft);
+    wisp_.find_row(contact.point, plane.normal, plane.row);
+    plane.dragged = Four{};
+    plane.impulse = 0;
+    plane.pushes = false;
 }
 
 /// Whether no contact has anything to answer: none touches, and none closes in fast enough to reach
 /// its plane within the step. Most blocks find planes that most of their steps do not reach.
-bool SlidingResponse::idle() const {
+template <int kFours> bool SlidingResponse<kFours>::idle() const {
     for (std::size_t c = 0; c < planes_.size(); ++c) {
-        if (planes_[c].distance < contacts_[c].threshold || closing(c) < planes_[c].least_closing)
+        if (touches(c) || lacking(planes_[c]) > 0)
             return false;
     }
     return true;
@@ -156,98 +100,127 @@ bool SlidingResponse::idle() const {
 /// before its envelope, then the nearest); between two sections, of the axis, where neither
 /// touches. It acts on the skeleton point, which carries what an envelope point cannot (M27), and
 /// once: a wisp is slowed alike by one point or by ten.
-void SlidingResponse::drag(float loss) {
+template <int kFours> void SlidingResponse<kFours>::drag() {
     find_touching();
     for (std::uint32_t i = first_; i < end_; ++i) {
         if (on_section_[i] != kNone)
-            drag(on_section_[i], loss);
+            drag(on_section_[i]);
         const bool between =
             between_[i] != kNone && on_section_[i] == kNone && on_section_[i + 1] == kNone;
         if (between)
-            drag(between_[i], loss);
+            drag(between_[i]);
     }
 }
 
-void SlidingResponse::find_touching() {
+template <int kFours> void SlidingResponse<kFours>::find_touching() {
     on_section_.assign(end_ + 1, kNone);
     between_.assign(end_ + 1, kNone);
     for (std::size_t c = 0; c < contacts_.size(); ++c) {
-        const WispPoint& point = contacts_[c].point;
-        if (planes_[c].distance >= contacts_[c].threshold)
+        if (!touches(c))
             continue;
+        const WispPoint& point = contacts_[c].point;
         std::size_t& best = (point.along > 0 ? between_ : on_section_)[point.section];
         if (best == kNone || goes_before(c, best))
             best = c;
     }
 }
 
-bool SlidingResponse::goes_before(std::size_t a, std::size_t b) const {
+template <int kFours>
+bool SlidingResponse<kFours>::goes_before(std::size_t a, std::size_t b) const {
     const bool axis_a = contacts_[a].point.on_axis(), axis_b = contacts_[b].point.on_axis();
     return axis_a != axis_b ? axis_a : planes_[a].distance < planes_[b].distance;
 }
 
-void SlidingResponse::drag(std::size_t c, float loss) {
+template <int kFours> void SlidingResponse<kFours>::drag(std::size_t c) {
     const WispPoint point = contacts_[c].point.axis();
     Plane& plane = planes_[c];
-    const Vec3 relative = wisp_.velocity(point) - plane.velocity;
-    const Vec3 sliding = relative - plane.normal * dot(relative, plane.normal);
-    const float speed = length(sliding);
+    const Four relative = wisp_.velocity(point) - plane.velocity;
+    const Four sliding = relative - plane.normal * four(dot(relative, plane.normal));
+    const float speed = std::sqrt(dot(sliding, sliding));
     if (speed < kSettled)
         return;
-    const Vec3 along = sliding / speed;
-    const float inverse_mass = wisp_.inverse_mass(point, along);
-    if (inverse_mass == 0)
+    const Four along = sliding / four(speed);
+    MotionRow<kFours> row;
+    wisp_.find_row(point, along, row);
+    const float inverse_mass = wisp_.weigh(row);
+    if (inverse_mass <= 0)
         return;
-    plane.dragged = along * (-loss * speed / inverse_mass);
-    wisp_.push(point, plane.dragged);
+    const float impulse = -step_.drag * speed / inverse_mass;
+    plane.dragged = along * four(impulse);
+    wisp_.push(row, impulse);
 }
 
-void SlidingResponse::stop_approach() {
+/// Few of a wisp's contacts are ever asked for an impulse: those settle among each other, and only
+/// then are all looked at again.
+template <int kFours> void SlidingResponse<kFours>::stop_approach() {
+    pushing_.clear();
+    while (find_approached())
+        settle();
+}
+
+/// Takes in the contacts that are approached and do not push yet. False when there are none.
+template <int kFours> bool SlidingResponse<kFours>::find_approached() {
+    const std::size_t before = pushing_.size();
+    for (std::uint32_t c = 0; c < planes_.size(); ++c) {
+        Plane& plane = planes_[c];
+        if (plane.pushes || lacking(plane) <= kSettled)
+            continue;
+        plane.pushes = true;
+        plane.inverse_mass = wisp_.weigh(plane.row);
+        pushing_.push_back(c);
+    }
+    return pushing_.size() > before;
+}
+
+template <int kFours> void SlidingResponse<kFours>::settle() {
+    const int sweeps = pushing_.size() == 1 ? 1 : kSweeps; // alone, it is done at once
     float largest = 1;
-    for (int sweep = 0; sweep < kSweeps && largest > kSettled; ++sweep) {
+    for (int sweep = 0; sweep < sweeps && largest > kSettled; ++sweep) {
         largest = 0;
-        for (std::size_t c = 0; c < contacts_.size(); ++c)
-            largest = std::max(largest, stop_approach(c));
+        for (std::uint32_t c : pushing_)
+            largest = std::max(largest, stop_approach(planes_[c]));
     }
 }
 
-float SlidingResponse::stop_approach(std::size_t c) {
-    const SlidingContact& contact = contacts_[c];
-    Plane& plane = planes_[c];
-    const float lacking = plane.least_closing - closing(c);
-    if (lacking <= 0 && plane.impulse == 0)
+template <int kFours> float SlidingResponse<kFours>::stop_approach(Plane& plane) {
+    if (plane.inverse_mass <= 0)
         return 0;
-    if (!plane.weighed) {
-        plane.inverse_mass = wisp_.inverse_mass(contact.point, plane.normal);
-        plane.weighed = true;
-    }
-    if (plane.inverse_mass == 0)
-        return 0;
-    const float asked = plane.impulse + lacking / plane.inverse_mass;
+    const float asked = plane.impulse + lacking(plane) / plane.inverse_mass;
     const float change = std::max(0.0f, asked) - plane.impulse;
-    if (change == 0)
-        return 0;
     plane.impulse += change;
-    wisp_.push(contact.point, plane.normal * change);
+    wisp_.push(plane.row, change);
     return std::abs(change) * plane.inverse_mass;
 }
 
+template class SlidingResponse<1>;
+template class SlidingResponse<2>;
+
 void CharacterContacts::respond(const HairView& hair, const CharacterContactDesc& desc,
                                 float fraction, float dt, State& state, Threads& threads) {
+    const auto respond = hair.half_lines.size() <= 4 ? &CharacterContacts::respond_with<1>
+                                                     : &CharacterContacts::respond_with<2>;
+    (this->*respond)(hair,
+                     {fraction, static_cast<float>(duration_), dt,
+                      static_cast<float>(1 - exponential(-double(desc.friction) * double(dt))),
+                      ablation_.polygon_velocity},
+                     state, threads);
+}
+
+template <int kFours> void CharacterContacts::respond_with(const HairView& hair,
+                                                           const SlidingStep& step, State& state,
+                                                           Threads& threads) {
     const std::size_t wisps = contacts_.size();
     const std::size_t chunks = (wisps + kWispsPerChunk - 1) / kWispsPerChunk;
-    const SlidingResponse::Step step{
-        fraction, static_cast<float>(duration_), dt,
-        static_cast<float>(1 - exponential(-double(desc.friction) * double(dt))),
-        ablation_.polygon_velocity};
-    responses_.resize(chunks);
+    auto& responses = std::get<std::vector<SlidingResponse<kFours>>>(responses_);
+    responses.resize(chunks);
     impulses_.resize(wisps);
     const auto answer_chunk = [&](std::size_t chunk) {
+        SlidingResponse<kFours>& response = responses[chunk];
+        response.begin(hair, step);
         const std::size_t last = std::min(wisps, (chunk + 1) * kWispsPerChunk);
         for (std::size_t w = chunk * kWispsPerChunk; w < last; ++w) {
             if (!contacts_[w].empty())
-                responses_[chunk].answer(hair, static_cast<std::uint32_t>(w), contacts_[w], step,
-                                         state, impulses_[w]);
+                response.answer(static_cast<std::uint32_t>(w), contacts_[w], state, impulses_[w]);
         }
     };
     threads.run(chunks, std::ref(answer_chunk)); // by reference: a copy would be allocated

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "interactions/character_point.h"
+#include "interactions/character_motion.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,10 +24,18 @@ struct SlidingContact {
     bool operator==(const SlidingContact&) const = default;
 };
 
+/// A step within the block.
+struct SlidingStep {
+    float fraction; ///< of the block that has passed
+    float duration; ///< [s] of the block
+    float dt;       ///< [s] of the step
+    float drag;     ///< the share of the sliding velocity that is lost in the step
+    bool polygons_move = true;
+};
+
 /// The answers of one wisp's contacts: a plastic impact of all of them together. Contact after
-/// contact, from root to tip, takes the impulse that its closing velocity asks for, given the
-/// velocities that the others left; what it gave before may be taken back, but its sum stays a
-/// push. Each such change lowers ½ JᵀWJ + J·v, the energy that the impulses J add in the polygons'
+/// contact takes the impulse that its closing velocity asks for, given the velocities that the
+/// others left; what it gave before may be taken back, but its sum stays a push. Each such change lowers ½ JᵀWJ + J·v, the energy that the impulses J add in the polygons'
 /// frame, so energy never rises, whatever the masses and wherever the sweeps end; they converge to
 /// the one velocity nearest to the old one, in the masses' measure, that no plane forbids.
 /// (Impulses never taken back end elsewhere: a heavy envelope makes its skeleton bounce. Contacts
@@ -36,54 +44,50 @@ struct SlidingContact {
 ///
 /// Wisps are answered one after the other by the same object: what it holds is scratch, so that a
 /// step allocates nothing.
-class SlidingResponse {
+template <int kFours> class SlidingResponse {
   public:
-    /// The step within the block.
-    struct Step {
-        float fraction; ///< of the block that has passed
-        float duration; ///< [s] of the block
-        float dt;       ///< [s] of the step
-        float drag;     ///< the share of the sliding velocity that is lost in the step
-        bool polygons_move = true;
-    };
-
-    /// Answers the contacts (not none, sorted by section) of wisp `number` of `hair`, which views
-    /// `state`. `impulses`: what each did [N·s].
-    void answer(const HairView& hair, std::uint32_t number,
-                std::span<const SlidingContact> contacts, const Step& step, State& state,
+    /// The hair whose wisps are answered, at a step.
+    void begin(const HairView& hair, const SlidingStep& step);
+    /// Answers the contacts (not none, sorted by section) of wisp `number`. `state` is what the
+    /// hair views. `impulses`: what each did [N·s].
+    void answer(std::uint32_t number, std::span<const SlidingContact> contacts, State& state,
                 std::vector<Vec3>& impulses);
 
   private:
-    static bool far_off(const HairView& hair, Slot root, const SlidingContact& contact,
-                        const Step& step);
-
     /// A contact's plane now.
     struct Plane {
-        Vec3 normal;
-        Vec3 velocity;           // of the polygon at the point's foot
-        float distance = 0;      // of the point
-        float least_closing = 0; // the velocity along the normal may not be under this
-        float inverse_mass = 0;  // that an impulse along the normal meets, once it is asked for
-        bool weighed = false;    // whether it was
-        float impulse = 0;       // given so far in this step, along the normal
-        Vec3 dragged;            // the impulse of drag
+        Four normal;
+        Four velocity;         // of the polygon at the point's foot
+        Four dragged;          // the impulse of drag
+        MotionRow<kFours> row; // of the point along the normal
+        float distance;        // of the point
+        float least;           // the velocity of the point along the normal may not be under this
+        float impulse;         // given so far in this step, along the normal
+        float inverse_mass;    // that it meets, of those that push
+        bool pushes;           // whether it was asked for an impulse
     };
 
-    Plane plane_now(const SlidingContact& contact, const Step& step) const;
-    void find_planes(const Step& step);
+    void load(std::uint32_t number);
+    void find_planes();
+    void find_plane(const SlidingContact& contact, Plane& plane) const;
+    float lacking(const Plane& plane) const { return plane.least - wisp_.along(plane.row); }
+    bool touches(std::size_t c) const { return planes_[c].distance < contacts_[c].threshold; }
     bool idle() const;
-    float closing(std::size_t c) const;
     void find_touching();
     bool goes_before(std::size_t a, std::size_t b) const;
-    void drag(float loss);
-    void drag(std::size_t c, float loss);
+    void drag();
+    void drag(std::size_t c);
     void stop_approach();
-    float stop_approach(std::size_t c);
+    bool find_approached();
+    void settle();
+    float stop_approach(Plane& plane);
 
-    WispCopy wisp_;
+    SlidingStep step_{};
+    WispMotion<kFours> wisp_;
     std::span<const SlidingContact> contacts_;
     std::uint32_t first_ = 0, end_ = 0; // the sections that the contacts are on
     std::vector<Plane> planes_;
+    std::vector<std::uint32_t> pushing_; // the contacts that were asked for an impulse
     /// The contact that drags each section, and each segment between two sections.
     std::vector<std::size_t> on_section_, between_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/four.h"
 #include "model/state.h"
 
 namespace mane {
@@ -9,16 +10,16 @@ namespace mane {
 /// half line. All zero for a kinematic section.
 struct SectionMass {
     float across = 0, extra = 0, envelope = 0;
-    Vec3 normal;
+    Four normal{};
 
-    static SectionMass of(const HairView& hair, std::uint32_t section) {
-        const Slot slot = hair.layout.slot(section);
+    static SectionMass of(const HairView& hair, Slot slot) {
         return {hair.rest.at(slot, Rest::inverse_mass_across),
                 hair.rest.at(slot, Rest::inverse_mass_extra),
-                hair.rest.at(slot, Rest::inverse_envelope_mass), hair.frames.normal.vec(slot)};
+                hair.rest.at(slot, Rest::inverse_envelope_mass),
+                four(hair.frames.normal.vec(slot))};
     }
-    Vec3 skeleton_response(const Vec3& impulse) const {
-        return impulse * across + normal * (dot(normal, impulse) * extra);
+    Four skeleton_response(const Four& impulse) const {
+        return impulse * four(across) + normal * four(dot(normal, impulse) * extra);
     }
 };
 

@@ -133,15 +133,25 @@ void ToyRun::step(float fraction) {
         for (std::uint32_t line = 0; line < hair.groom.envelope_points; ++line)
             hair.state.radius_rate.at(slot, line) *= 1 - air * dt;
     }
-    spring_forces();
+    hair.groom.envelope_points <= 4 ? spring_forces<1>() : spring_forces<2>();
     contacts.respond(hair.view(), desc, fraction, dt, hair.state, threads);
     move();
 }
 
-void ToyRun::spring_forces() {
+template <int kFours> void ToyRun::spring_forces() {
     WispCopy wisp;
+    WispMotion<kFours> motion;
+    const HairView view = hair.view();
+    motion.begin(view);
+    const auto push = [&](const WispPoint& point, const Vec3& impulse) {
+        MotionRow<kFours> row;
+        motion.find_row(point, four(impulse), row);
+        motion.weigh(row);
+        motion.push(row, 1);
+    };
     for (std::uint32_t w = 0; w < hair.groom.wisp_count(); ++w) {
-        wisp.load(hair.view(), w);
+        wisp.load(view, w);
+        motion.load(w, 0, wisp.sections());
         for (std::uint32_t i = 1; stretch > 0 && i + 1 < wisp.sections(); ++i) {
             const Vec3 way = wisp.x[i + 1] - wisp.x[i];
             const float mass = 1e-4f;
@@ -149,19 +159,19 @@ void ToyRun::spring_forces() {
             const float force =
                 mass * (stretch * (length(way) - rest_length) +
                         0.5f * std::sqrt(stretch) * dot(wisp.v[i + 1] - wisp.v[i], t));
-            wisp.push({i, 0, 0, 0, 0}, t * (force * dt));
-            wisp.push({i + 1, 0, 0, 0, 0}, t * (-force * dt));
+            push({i, 0, 0, 0, 0}, t * (force * dt));
+            push({i + 1, 0, 0, 0, 0}, t * (-force * dt));
         }
         for (std::uint32_t i = 2; spring > 0 && i < wisp.sections(); ++i) {
             const float damping = 2 * std::sqrt(spring * hair.groom.envelope_mass[0]);
             for (std::uint32_t line = 0; line < wisp.k(); ++line) {
                 const float force =
                     spring * (spring_length - wisp.r(i, line)) - damping * wisp.rate(i, line);
-                wisp.push({i, 0, line, 1, 0}, wisp.d(i, line) * (force * dt));
-                wisp.push({i, 0, 0, 0, 0}, wisp.d(i, line) * (-force * dt));
+                push({i, 0, line, 1, 0}, wisp.d(i, line) * (force * dt));
+                push({i, 0, 0, 0, 0}, wisp.d(i, line) * (-force * dt));
             }
         }
-        wisp.store_velocities(hair.view(), hair.state);
+        motion.store(hair.state);
     }
 }
 

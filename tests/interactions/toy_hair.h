@@ -76,7 +76,7 @@ struct ToyRun {
 
   private:
     void step(float fraction);
-    void spring_forces();
+    template <int kFours> void spring_forces();
     void move();
     void react();
 };
