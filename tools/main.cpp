@@ -5,7 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include <cstdlib>
 #include <functional>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace mane::tool {
 namespace {
@@ -255,10 +259,19 @@ int run_command(int argc, char** argv) {
     return run();
 }
 
+/// What loading took is given back to the system when it is done: glibc would keep whatever is
+/// smaller than the largest block that was ever freed.
+void give_back_what_is_freed() {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
 } // namespace
 } // namespace mane::tool
 
 int main(int argc, char** argv) {
+    mane::tool::give_back_what_is_freed();
     try {
         return mane::tool::run_command(argc, argv);
     } catch (const mane::InputError& error) {

@@ -72,7 +72,7 @@ template <int kFours> class WispMotion {
 
     const HairView* hair_ = nullptr;
     Shares half_lines_{}; // of each half line, the whole
-    Slot root_; // of x₀
+    Slot root_;           // of x₀
     std::uint32_t first_ = 0, end_ = 0;
     std::vector<Section> sections_;
 };

@@ -35,12 +35,12 @@ struct SlidingStep {
 
 /// The answers of one wisp's contacts: a plastic impact of all of them together. Contact after
 /// contact takes the impulse that its closing velocity asks for, given the velocities that the
-/// others left; what it gave before may be taken back, but its sum stays a push. Each such change lowers ½ JᵀWJ + J·v, the energy that the impulses J add in the polygons'
-/// frame, so energy never rises, whatever the masses and wherever the sweeps end; they converge to
-/// the one velocity nearest to the old one, in the masses' measure, that no plane forbids.
-/// (Impulses never taken back end elsewhere: a heavy envelope makes its skeleton bounce. Contacts
-/// answered all at once with shared masses keep a part of the approach, and a wisp at rest creeps
-/// inward.)
+/// others left; what it gave before may be taken back, but its sum stays a push. Each such change
+/// lowers ½ JᵀWJ + J·v, the energy that the impulses J add in the polygons' frame, so energy never
+/// rises, whatever the masses and wherever the sweeps end; they converge to the one velocity
+/// nearest to the old one, in the masses' measure, that no plane forbids. (Impulses never taken
+/// back end elsewhere: a heavy envelope makes its skeleton bounce. Contacts answered all at once
+/// with shared masses keep a part of the approach, and a wisp at rest creeps inward.)
 ///
 /// Wisps are answered one after the other by the same object: what it holds is scratch, so that a
 /// step allocates nothing.
