@@ -1,12 +1,11 @@
 /// The search for boxes and points of §4.1 against looking at every one.
 
 #include "interactions/contact_geometry.h"
+#include "interactions/instruction_sets.h"
 #include "interactions/near_all.h"
 #include "interactions/point_test.h"
 #include "interactions/toy_hair.h"
 #include "reference/random_numbers.h"
-
-#include "mane/error.h"
 
 #include <doctest/doctest.h>
 
@@ -18,18 +17,6 @@ using namespace mane;
 
 namespace {
 
-std::vector<PointTest> tests_here() {
-    std::vector<PointTest> tests;
-    for (const char* name : {"avx512", "avx2", "sse4", "neon", "scalar"}) {
-        try {
-            tests.push_back(point_test_for(name));
-        } catch (const InputError&) {
-            MESSAGE("skipped: no " << std::string(name) << " on this machine");
-        }
-    }
-    return tests;
-}
-
 Vec3 random_point(reference::RandomNumbers& random, double size) {
     return Vec3(random.vector(size));
 }
@@ -38,7 +25,7 @@ Vec3 random_point(reference::RandomNumbers& random, double size) {
 
 TEST_CASE("a tree of boxes finds exactly those that overlap, wherever they have moved since") {
     reference::RandomNumbers random(1);
-    const std::vector<PointTest> tests = tests_here();
+    const std::vector<PointTest> tests = test::on_all_sets(point_test_for);
     for (std::size_t count : {0, 1, 2, 15, 16, 17, 31, 255, 256, 257, 1000, 4099}) {
         std::vector<Vec3> centres;
         for (std::size_t i = 0; i < count; ++i)
@@ -72,7 +59,7 @@ TEST_CASE("a tree of boxes finds exactly those that overlap, wherever they have 
 
 TEST_CASE("what is not a number overlaps nothing") {
     constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-    for (const PointTest& test : tests_here())
+    for (const PointTest& test : test::on_all_sets(point_test_for))
         for (std::size_t count : {1, 3, 40, 300}) { // nodes that are not full, too
             const Vec3 nowhere{kNothing, kNothing, kNothing};
             const std::vector<Box> boxes(count, Box{{0, 0, 0}, {1, 1, 1}}),
@@ -139,7 +126,7 @@ double depth_in_upright(const ContactPoints& points, std::uint32_t rank, const V
 
 TEST_CASE("a segment holds the same points for every instruction set and K") {
     reference::RandomNumbers random(2);
-    const std::vector<PointTest> tests = tests_here();
+    const std::vector<PointTest> tests = test::on_all_sets(point_test_for);
     std::size_t inside = 0;
     for (std::uint32_t k = 3; k <= kMaxEnvelopePoints; ++k) {
         for (std::size_t others : {1, 2, 7, 60}) { // 240 sections wait for more than one test

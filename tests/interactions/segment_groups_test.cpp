@@ -1,16 +1,15 @@
-/// What rods and the search for axes pass over, they pass over rightly: bent wisps in a tangle,
-/// each segment asked about all points and all axes.
+/// Searches for a group of segments at once, in tangles of bent wisps: points as for each segment
+/// alone, axes as by asking for all of them.
 
 #include "interactions/axis_search.h"
 #include "interactions/axis_test.h"
 #include "interactions/contact_geometry.h"
+#include "interactions/instruction_sets.h"
 #include "interactions/near_all.h"
 #include "interactions/point_test.h"
 #include "interactions/toy_hair.h"
 #include "model/section_frames.h"
 #include "reference/random_numbers.h"
-
-#include "mane/error.h"
 
 #include <doctest/doctest.h>
 
@@ -23,18 +22,6 @@ using namespace mane;
 namespace {
 
 constexpr float kLeastSine = 0.17f;
-
-template <typename Search, typename Make> std::vector<Search> on_all_sets(Make&& make) {
-    std::vector<Search> searches;
-    for (const char* name : {"avx512", "avx2", "sse4", "neon", "scalar"}) {
-        try {
-            searches.push_back(make(name));
-        } catch (const InputError&) {
-            MESSAGE("skipped: no " << std::string(name) << " on this machine");
-        }
-    }
-    return searches;
-}
 
 /// Wisps of 3 cm segments within 4 cm, each bent by up to 120° at its sections, with radii
 /// of 0.5 to 5 mm, some round, some flat.
@@ -77,6 +64,22 @@ std::vector<std::uint32_t> segments(const ContactPoints& points) {
     return ranks;
 }
 
+/// A tangle as the searches take it.
+struct Searched {
+    test::ToyHair hair;
+    ContactGeometry geometry;
+    NearBoxes near;
+    std::vector<std::uint32_t> ranks; // at which segments begin
+
+    Searched(std::uint32_t k, reference::RandomNumbers& random) : hair(tangle(k, random)) {
+        Threads threads(1);
+        geometry.take(hair.view(), threads);
+        near = test::near_all(points());
+        ranks = segments(points());
+    }
+    const ContactPoints& points() const { return geometry.points(); }
+};
+
 /// Cuts ranks into groups of one, two, … sixteen, one, …
 template <typename Use> void for_groups(std::span<const std::uint32_t> ranks, Use&& use) {
     for (std::size_t first = 0, size = 1; first < ranks.size();
@@ -88,18 +91,13 @@ template <typename Use> void for_groups(std::span<const std::uint32_t> ranks, Us
 
 TEST_CASE("segments together hold the points that they hold alone") {
     reference::RandomNumbers random(3);
-    const auto tests =
-        on_all_sets<PointTest>([](const char* name) { return point_test_for(name); });
+    const auto tests = test::on_all_sets(point_test_for);
     std::size_t inside = 0;
     for (std::uint32_t k = 3; k <= kMaxEnvelopePoints; ++k) {
-        const test::ToyHair hair = tangle(k, random);
-        Threads threads(1);
-        ContactGeometry geometry;
-        geometry.take(hair.view(), threads);
-        const ContactPoints& points = geometry.points();
-        const NearBoxes near = test::near_all(points);
-        const std::vector<std::uint32_t> ranks = segments(points);
-        for_groups(ranks, [&](std::span<const std::uint32_t> group) {
+        const Searched searched(k, random);
+        const ContactPoints& points = searched.points();
+        const NearBoxes& near = searched.near;
+        for_groups(searched.ranks, [&](std::span<const std::uint32_t> group) {
             for (const PointTest& test : tests) {
                 std::array<PointsInside, kLanes> together;
                 test.find(points, group, near, together.data());
@@ -120,17 +118,13 @@ TEST_CASE("segments together hold the points that they hold alone") {
 
 TEST_CASE("the search for axes leaves out no contact, for any instruction set and K") {
     reference::RandomNumbers random(4);
-    const auto searches =
-        on_all_sets<AxisSearch>([](const char* name) { return axis_search_for(name); });
+    const auto searches = test::on_all_sets(axis_search_for);
     std::size_t contacts = 0, candidates = 0, missed_by_thinner = 0;
     for (std::uint32_t k = 3; k <= kMaxEnvelopePoints; ++k) {
-        const test::ToyHair hair = tangle(k, random);
-        Threads threads(1);
-        ContactGeometry geometry;
-        geometry.take(hair.view(), threads);
-        const ContactPoints& points = geometry.points();
-        const NearBoxes near = test::near_all(points);
-        const std::vector<std::uint32_t> ranks = segments(points);
+        const Searched searched(k, random);
+        const ContactPoints& points = searched.points();
+        const NearBoxes& near = searched.near;
+        const std::vector<std::uint32_t>& ranks = searched.ranks;
         AlignedVector<AxisBunch> axes(points.bunches());
         for (AxisBunch& bunch : axes)
             bunch.clear();
