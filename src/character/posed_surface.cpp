@@ -37,7 +37,7 @@ void PosedSurface::pose(std::span<const Vec3> vertices) {
 std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
                                                   std::uint32_t guess) const {
     if (guess < triangles_.size()) {
-        const double squared = closest_on_triangle(p, triangle(guess)).squared;
+        const double squared = place_on(guess, p).closest.squared;
         radius = std::min(radius, std::sqrt(squared) * (1 + 1e-15));
     }
     return surface_search().nearest(searched(), p, radius);

@@ -1,6 +1,7 @@
 #include "character/triangle_tree.h"
 
 #include "base/four.h"
+#include "base/sixteens.h"
 
 #include <numeric>
 
@@ -67,7 +68,7 @@ TriangleTree::TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangl
     centres.reserve(triangles.size());
     for (const auto& t : triangles)
         centres.push_back(vertices[t[0]] + vertices[t[1]] + vertices[t[2]]);
-    sort(centres, order_);
+    order_by_sixteens(centres, order_);
 
     std::size_t nodes = 0, boxes = triangles.size();
     first_node_.push_back(0);
@@ -80,31 +81,6 @@ TriangleTree::TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangl
         for (std::size_t i = 0; i < kBoxes; ++i)
             put_nothing(node, i);
     find_groups();
-}
-
-// Cuts a range along its longest side, into halves that fill whole nodes. A stable sort, so that
-// every library makes the same tree (M39).
-void TriangleTree::sort(std::span<const Vec3> centres, std::span<std::uint32_t> range) {
-    if (range.size() <= kBoxes) {
-        std::sort(range.begin(), range.end()); // what is found comes almost in their own order
-        return;
-    }
-    Box box{centres[range[0]], centres[range[0]]};
-    for (const std::uint32_t t : range)
-        box = both(box, {centres[t], centres[t]});
-    const Vec3 size = box.high - box.low;
-    float Vec3::*axis = size.x >= size.y && size.x >= size.z ? &Vec3::x
-                        : size.y >= size.z                   ? &Vec3::y
-                                                             : &Vec3::z;
-    std::stable_sort(range.begin(), range.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return centres[a].*axis < centres[b].*axis;
-    });
-    std::size_t part = kBoxes;
-    while (part * kBoxes < range.size())
-        part *= kBoxes;
-    const std::size_t parts = (range.size() + part - 1) / part, half = parts / 2 * part;
-    sort(centres, range.first(half));
-    sort(centres, range.subspan(half));
 }
 
 // Whole nodes of triangles.

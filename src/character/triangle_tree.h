@@ -76,7 +76,6 @@ class TriangleTree {
     const Box& bounds() const { return bounds_; }
 
   private:
-    void sort(std::span<const Vec3> centres, std::span<std::uint32_t> range);
     void find_groups();
     Node& node(std::size_t level, std::size_t i) { return nodes_[first_node_[level] + i]; }
 

@@ -171,9 +171,8 @@ Vec3 CharacterBearings::way_out(std::uint32_t i, std::uint32_t b) const {
     if (triangle == PosedSurface::kNoGuess)
         return {};
     const Vec3d x(wisp_.x[i]);
-    const ClosestPoint closest =
-        closest_on_triangle(x, bodies_[b].surface->end().triangle(triangle));
-    return Vec3(normalized(x - closest.point));
+    const SurfacePlace place = bodies_[b].surface->end().place_on(triangle, x);
+    return Vec3(normalized(x - place.closest.point));
 }
 
 void CharacterBearings::forget(std::uint32_t i) {

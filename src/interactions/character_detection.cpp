@@ -117,8 +117,7 @@ class Detector {
     bool look_near(std::uint32_t before, Reach& reach) {
         double distance = std::numeric_limits<double>::infinity();
         if (before != PosedSurface::kNoGuess)
-            distance = std::sqrt(
-                closest_on_triangle(reach.from, surface_.start().triangle(before)).squared);
+            distance = std::sqrt(surface_.start().place_on(before, reach.from).closest.squared);
         if (distance > reach.clear) {
             reach.place = surface_.start().nearest(reach.from, reach.clear);
             if (!reach.place)

@@ -23,8 +23,7 @@ bool Escape::inside(const Vec3& p, std::span<const std::uint8_t> exempt) const {
 Escape::Entry Escape::entry_at(std::uint32_t b, const Crossing& crossing, const Vec3d& from,
                                const Vec3d& to) const {
     const Vec3d point = from + (to - from) * crossing.at;
-    return {{crossing.triangle, closest_on_triangle(point, pose(b).triangle(crossing.triangle))},
-            crossing.at};
+    return {pose(b).place_on(crossing.triangle, point), crossing.at};
 }
 
 std::optional<Escape::Entry> Escape::entry(std::uint32_t b, const Vec3& from, const Vec3& to) {

@@ -51,12 +51,12 @@ struct ContactPoints {
 
     // of a block
     AlignedVector<SectionShape> shape; ///< per rank
-    AlignedVector<Four> normal;        ///< per rank
-    AlignedVector<Four> low, high;     ///< per rank: corners of the box of its largest disc
-    AlignedVector<Four> direction;     ///< per rank: of the segment that begins there
-    AlignedVector<float> slenderness;  ///< its length in mean diameters
-    AlignedVector<float> x, y, z;      ///< per place; far away where there is no point, and of x₀
-    AlignedVector<Four> half_line;     ///< per place; zero but for envelope points
+    AlignedVector<Four> normal;    ///< per rank, once more: each step reads this one of its shape
+    AlignedVector<Four> low, high; ///< per rank: corners of the box of its largest disc
+    AlignedVector<Four> direction; ///< per rank: of the segment that begins there
+    AlignedVector<float> slenderness; ///< its length in mean diameters
+    AlignedVector<float> x, y, z;     ///< per place; far away where there is no point, and of x₀
+    AlignedVector<Four> half_line;    ///< per place; zero but for envelope points
 
     // of a step
     SectionMotion motion;
