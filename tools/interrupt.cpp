@@ -1,15 +1,34 @@
 #include "interrupt.h"
 
+#include <atomic>
 #include <csignal>
+#include <ctime>
 
 namespace mane::tool {
 namespace {
 
-volatile std::sig_atomic_t received = 0;
+/// timeout(1) and some shells send their signal twice, to the program and to its group.
+constexpr std::time_t kSameRequest = 1; // seconds
+
+std::atomic<int> received = 0;
+std::atomic<std::time_t> received_at = 0;
+
+std::time_t seconds_since_boot() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now); // one of the few calls that a handler may make
+    return now.tv_sec;
+}
 
 extern "C" void note_signal(int number) {
+    const std::time_t now = seconds_since_boot();
+    if (received && now - received_at > kSameRequest) {
+        std::signal(number, SIG_DFL);
+        std::raise(number);
+        return;
+    }
+    if (!received)
+        received_at = now;
     received = number;
-    std::signal(number, SIG_DFL);
 }
 
 } // namespace

@@ -3,7 +3,8 @@
 namespace mane::tool {
 
 /// While it lives, the first SIGINT or SIGTERM is noted instead of ending the program, so that a
-/// frame in work can be finished and the file closed. A second one ends it at once.
+/// frame in work can be finished and the file closed. One that comes two seconds later or more ends
+/// it at once.
 class Interrupt {
   public:
     Interrupt();
