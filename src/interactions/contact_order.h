@@ -7,7 +7,7 @@
 
 namespace mane {
 
-/// The order in which contacts between wisps keep the sections: along Morton's curve through the
+/// The order in which contacts between wisps keep the sections: by halves of halves of the
 /// design, since hair stays beside the hair that it grew beside. What is together in space is then
 /// together in memory, for a hundred wisps as for ten thousand. A section's place in the order is
 /// its *rank*.
