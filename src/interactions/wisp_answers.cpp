@@ -27,15 +27,18 @@ template <std::size_t N> class MatrixLanes {
     using R3 = Reals3<N>;
 
     HWY_INLINE MatrixLanes(const ContactPoints& points, WispAnswers& answers, std::size_t slot)
-        : p(points), a(answers), slot_(slot) {}
+        : p(points), a(answers), slot_(slot) {
+        for (std::size_t i = 0; i < R::kCount; ++i)
+            section_[i] = a.point[slot + i] / 16;
+    }
 
     /// W of a point of a section (not of an axis), but for the contact's weight; its direction.
     HWY_INLINE void add_point(Symmetrics<N>& w, R3& direction) {
-        const std::uint32_t *section = a.rank.data() + slot_, *place = a.place.data() + slot_;
-        direction = gather(p.normal, section);
+        const std::uint32_t* place = a.place.data() + slot_;
+        direction = gather(p.normal, section_);
         const R3 half_line = gather(p.half_line, place);
-        add_identity(w, R::gather(a.shared_across.data(), section, 1));
-        add_outer(w, direction, R::gather(a.shared_extra.data(), section, 1));
+        add_identity(w, R::gather(a.shared_across.data(), section_, 1));
+        add_outer(w, direction, R::gather(a.shared_extra.data(), section_, 1));
         add_outer(w, half_line, R::gather(a.shared_envelope.data(), place, 1));
     }
 
@@ -51,7 +54,7 @@ template <std::size_t N> class MatrixLanes {
     /// Where only the envelope of a pinned section can give way, W has the direction of its half
     /// line alone and no inverse: as much in all directions, and it gives way by half.
     HWY_INLINE void soften_between_held(Symmetrics<N>& w) const {
-        const R across = R::gather(a.shared_across.data(), a.rank.data() + slot_, 1);
+        const R across = R::gather(a.shared_across.data(), section_, 1);
         add_identity(w, select(across > R(0.0), R(0.0), w.xx + w.yy + w.zz));
     }
 
@@ -82,7 +85,8 @@ template <std::size_t N> class MatrixLanes {
     const ContactPoints& p;
     WispAnswers& a;
     std::size_t slot_;
-    R s_; // along the segment
+    std::uint32_t section_[R::kCount]; // the points' ranks
+    R s_;                              // along the segment
 };
 
 /// Inverse masses of a section as its contacts share them.

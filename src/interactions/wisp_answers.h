@@ -35,9 +35,10 @@ struct WispAnswers {
     // of a detection
     std::vector<std::uint32_t> first, first_axis;
     AlignedVector<std::uint32_t> place; ///< per slot
-    AlignedVector<std::uint32_t> rank;  ///< per slot: of the point's section
-    AlignedVector<float> weight;        ///< per slot
-    AlignedVector<float> density;       ///< per slot of quasi-parallel wisps; 0 of a collision
+    /// Per slot: rank of the point's section · 16 + code; 0 of axes and where weight is 0.
+    AlignedVector<std::uint32_t> point;
+    AlignedVector<float> weight;  ///< per slot
+    AlignedVector<float> density; ///< per slot of quasi-parallel wisps; 0 of a collision
     std::vector<AxisPoint> axis_points;
     std::vector<std::uint8_t> takes_part; ///< per rank
     /// Per rank: inverse masses as their contacts share them (M27a).

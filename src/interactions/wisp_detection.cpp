@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace mane {
 namespace {
@@ -76,8 +75,7 @@ void WispDetection::change(const WispContactDesc& desc) {
 }
 
 void WispDetection::forget() {
-    list_.contacts.clear();
-    std::fill(list_.first.begin(), list_.first.end(), 0u);
+    list_.clear();
     for (Found& found : chunks_)
         for (Sliding* sliding : {&found.points, &found.along})
             *sliding = {};
@@ -90,10 +88,10 @@ void WispDetection::detect(const HairView& hair, const ContactPoints& points, Th
     if (std::any_of(segments_.begin(), segments_.end(),
                     [&](std::uint32_t rank) { return slender(points, rank); }))
         place_axes(points, threads);
-    list_.first.assign(points.order.size() + 1, 0);
     begin_chunks();
     threads.run(chunks_.size(), [&](std::size_t c) { find_chunk(hair, points, c); });
-    collect(threads);
+    threads.run(chunks_.size(), [&](std::size_t c) { count_pairs(c); });
+    collect();
 }
 
 std::span<const std::uint32_t> WispDetection::Sliding::of(std::size_t segment) const {
@@ -117,7 +115,8 @@ void WispDetection::list_segments(const HairView& hair, const ContactPoints& poi
     for (std::uint32_t i = 0; i < segments_.size(); ++i)
         index_[segments_[i]] = i;
     first_met_.resize(segments_.size());
-    list_.first.assign(points.order.size() + 1, 0);
+    inside_.resize(segments_.size());
+    list_.inside.resize(points.order.size());
 }
 
 void WispDetection::place_boxes(const ContactPoints& points, Threads& threads) {
@@ -144,6 +143,7 @@ void WispDetection::place_axes(const ContactPoints& points, Threads& threads) {
 /// What was found at the last call becomes earlier, for all before any is asked.
 void WispDetection::begin_chunks() {
     chunks_.resize(chunks_of(segments_.size(), kSegmentsPerChunk));
+    list_.found.resize(chunks_.size());
     for (Found& found : chunks_) {
         std::swap(found.points, found.earlier_points);
         std::swap(found.along, found.earlier_along);
@@ -172,14 +172,26 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
         }
         const std::size_t before = scratch.contacts.size();
         take_points(points, i, scratch.inside[in_group], found, scratch);
-        list_.first[segments_[i] + 1] =
-            static_cast<std::uint32_t>(scratch.contacts.size() - before);
+        inside_[i] = static_cast<std::uint32_t>(scratch.contacts.size() - before);
         found.along.begin_segment();
         if (slender(points, segments_[i]))
             for (const std::uint32_t other : scratch.axes[next_slender++])
                 take_axis(hair, points, segments_[i], other, found);
     }
-    found.contacts.assign(scratch.contacts.begin(), scratch.contacts.end());
+    keep(scratch.contacts, chunk);
+}
+
+void WispDetection::keep(std::span<const PointContact> contacts, std::size_t chunk) {
+    std::vector<PointContact>& kept = list_.found[chunk];
+    make_room(kept, contacts.size());
+    std::copy(contacts.begin(), contacts.end(), kept.begin());
+    std::span<const PointContact> left = kept;
+    const std::size_t first = chunk * kSegmentsPerChunk,
+                      last = std::min(segments_.size(), first + kSegmentsPerChunk);
+    for (std::size_t i = first; i < last; ++i) {
+        list_.inside[segments_[i]] = left.first(inside_[i]);
+        left = left.subspan(inside_[i]);
+    }
 }
 
 /// Looks for the points inside a group of segments, and for the axes that cross theirs. Segments
@@ -207,14 +219,13 @@ void WispDetection::search(const ContactPoints& points, std::span<const std::uin
 /// The points in the volume of a segment (M21).
 void WispDetection::take_points(const ContactPoints& points, std::size_t index,
                                 PointsInside& inside, Found& found, Scratch& scratch) {
-    const std::uint32_t rank = segments_[index], segment = points.order.section(rank);
+    const std::uint32_t rank = segments_[index];
     point_test_.classify(points, rank, limits_, inside);
     first_met_[index] = static_cast<std::uint32_t>(found.met.size());
     found.points.begin_segment();
     Earlier earlier(found.earlier_points.of(index % kSegmentsPerChunk));
     for (std::size_t p = 0; p < inside.count; ++p) {
-        const std::uint32_t point = inside.point[p], at = point / 16, code = point % 16,
-                            section = points.order.section(at);
+        const std::uint32_t point = inside.point[p], at = point / 16, code = point % 16;
         const Belongs belongs = belongs_to(points, at, rank);
         if (!belongs.before && !belongs.after)
             continue;
@@ -222,14 +233,9 @@ void WispDetection::take_points(const ContactPoints& points, std::size_t index,
         const bool slid = earlier.slid(place);
         const bool parallel =
             desc_.mode != WispContactMode::isotropic && (inside.parallel[p] & (slid ? 2 : 1));
-        scratch.contacts.push_back(
-            {.section = section,
-             .point = {static_cast<std::uint8_t>(code)},
-             .kind = parallel ? WispContactKind::friction : WispContactKind::collision,
-             .segment = segment,
-             .s = inside.s[p],
-             .density = inside.density[p],
-             .weight = weight_at(inside.depth[p])});
+        scratch.contacts.emplace_back(
+            point, inside.s[p], inside.density[p], weight_at(inside.depth[p]),
+            parallel ? WispContactKind::friction : WispContactKind::collision);
         if (parallel)
             found.points.number.push_back(place);
         meet(points, belongs, at, found, scratch);
@@ -331,19 +337,12 @@ bool WispDetection::slides_along(const ContactPoints& points, const WispContact&
 }
 
 /// Puts together what the chunks found.
-void WispDetection::collect(Threads& threads) {
-    std::partial_sum(list_.first.begin(), list_.first.end(), list_.first.begin());
+void WispDetection::collect() {
     std::size_t axes = 0;
     for (const Found& found : chunks_)
         axes += found.axes.size();
-    make_room(list_.contacts, list_.of_points() + axes);
-    threads.run(chunks_.size(), [&](std::size_t c) {
-        const std::uint32_t first = list_.first[segments_[c * kSegmentsPerChunk]];
-        std::copy(chunks_[c].contacts.begin(), chunks_[c].contacts.end(),
-                  list_.contacts.begin() + first);
-        count_pairs(c);
-    });
-    auto next = list_.contacts.begin() + static_cast<std::ptrdiff_t>(list_.of_points());
+    make_room(list_.axes, axes);
+    auto next = list_.axes.begin();
     friction_contacts_ = intersecting_pairs_ = 0;
     for (const Found& found : chunks_) {
         next = std::copy(found.axes.begin(), found.axes.end(), next);

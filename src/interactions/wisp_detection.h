@@ -34,7 +34,6 @@ class WispDetection {
     /// Segment by segment, contacts of points in the order of places, bunch by bunch, those of axes
     /// in the order of ranks: nothing depends on how they were found.
     const ContactList& list() const { return list_; }
-    std::span<const WispContact> contacts() const { return list_.contacts; }
     /// Of the contacts, those of quasi-parallel wisps.
     std::uint64_t friction_contacts() const { return friction_contacts_; }
     /// Pairs of segments of which one has a point inside the other, at the last call: the paper's
@@ -51,9 +50,8 @@ class WispDetection {
         void clear();
         void begin_segment() { first.push_back(static_cast<std::uint32_t>(number.size())); }
     };
-    /// What a chunk of segments found.
+    /// What a chunk of segments found, beside the points in the list.
     struct Found {
-        std::vector<WispContact> contacts; ///< of points
         std::vector<WispContact> axes;
         std::vector<std::uint32_t> met; ///< by segment: those that have a point inside it
         Sliding points, earlier_points; ///< now and at the last call
@@ -68,7 +66,7 @@ class WispDetection {
         std::vector<std::uint32_t> slender;                  ///< ranks of those that are
         std::array<std::vector<std::uint32_t>, kLanes> axes; ///< per slender one: that it may meet
         std::vector<bool> has_met;                           ///< by the present segment
-        std::vector<WispContact> contacts;                   ///< of the present chunk
+        std::vector<PointContact> contacts;                  ///< of the present chunk
     };
     struct Belongs {
         bool before = false, after = false;
@@ -93,7 +91,8 @@ class WispDetection {
                    std::uint32_t other, Found& found) const;
     bool slid_along(std::uint32_t rank, std::uint32_t other) const;
     bool slides_along(const ContactPoints& points, const WispContact& contact, bool slid) const;
-    void collect(Threads& threads);
+    void collect();
+    void keep(std::span<const PointContact> contacts, std::size_t chunk);
     void count_pairs(std::size_t chunk);
     std::span<const std::uint32_t> met_by(std::size_t index) const;
 
@@ -113,6 +112,7 @@ class WispDetection {
     ContactList list_;
     std::vector<std::uint32_t> index_;     ///< per rank: of its segment
     std::vector<std::uint32_t> first_met_; ///< per segment: in its chunk's `met`
+    std::vector<std::uint32_t> inside_;    ///< per segment: how many points
     std::uint64_t friction_contacts_ = 0;
     std::uint64_t intersecting_pairs_ = 0;
 };

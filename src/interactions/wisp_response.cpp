@@ -50,13 +50,13 @@ void WispResponse::engage(const HairView& hair, ContactGeometry& geometry, const
     }
     list_ = &list;
     lay_out_slots(points.order);
-    geometry.add_points(list.axes().size());
+    geometry.add_points(list.axes.size());
     take_axis_points(points);
     threads.run_ranges(ranks, kRanksPerChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t r = first; r < last; ++r)
             fill_segment(points, static_cast<std::uint32_t>(r));
     });
-    sort_by_section(points.order, threads);
+    sort_by_section(points, threads);
     sort_axes(points.order);
     threads.run_ranges(ranks, kRanksPerChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t r = first; r < last; ++r)
@@ -69,11 +69,11 @@ void WispResponse::lay_out_slots(const ContactOrder& order) {
     WispAnswers& a = answers_;
     const std::uint32_t ranks = order.size();
     axes_of_.start(ranks);
-    for (const WispContact& c : list_->axes())
+    for (const WispContact& c : list_->axes)
         axes_of_.count(order.rank(c.segment));
     make_room(by_segment_, axes_of_.add_up());
-    for (std::uint32_t i = 0; i < list_->axes().size(); ++i)
-        by_segment_[axes_of_.next(order.rank(list_->axes()[i].segment))] = i;
+    for (std::uint32_t i = 0; i < list_->axes.size(); ++i)
+        by_segment_[axes_of_.next(order.rank(list_->axes[i].segment))] = i;
     axes_of_.finish();
 
     a.first.resize(ranks + 1);
@@ -81,11 +81,11 @@ void WispResponse::lay_out_slots(const ContactOrder& order) {
     std::uint32_t slots = 0;
     for (std::uint32_t r = 0; r < ranks; ++r) {
         a.first[r] = slots;
-        a.first_axis[r] = slots += whole_quads(list_->first[r + 1] - list_->first[r]);
+        a.first_axis[r] = slots += whole_quads(static_cast<std::uint32_t>(list_->inside[r].size()));
         slots += whole_quads(axes_of_.last(r) - axes_of_.first(r));
     }
     a.first[ranks] = slots;
-    for (AlignedVector<std::uint32_t>* numbers : {&a.place, &a.rank})
+    for (AlignedVector<std::uint32_t>* numbers : {&a.place, &a.point})
         make_room(*numbers, slots);
     for (AlignedVector<float>* numbers : {&a.weight, &a.density})
         make_room(*numbers, slots);
@@ -102,60 +102,61 @@ void WispResponse::lay_out_slots(const ContactOrder& order) {
 void WispResponse::fill_segment(const ContactPoints& points, std::uint32_t rank) {
     WispAnswers& a = answers_;
     std::uint32_t slot = a.first[rank];
-    const auto fill_up = [&](std::uint32_t end) { // with slots that answer nothing
-        for (; slot < end; ++slot) {
-            a.place[slot] = a.rank[slot] = 0;
-            a.weight[slot] = a.density[slot] = 0;
-            a.diagonal[slot] = a.beside[slot] = Four{};
-        }
-    };
     float sum = 0;
-    for (const WispContact& c : list_->of_segment(rank)) {
-        a.place[slot] = points.place(points.order.rank(c.section), c.point.code);
-        take_slot(points, slot++, c);
-        sum += c.weight;
+    const auto take = [&](float s, float density, float weight) {
+        a.diagonal[slot][3] = s;
+        a.density[slot] = density;
+        a.weight[slot++] = weight;
+        sum += weight;
+    };
+    for (const PointContact& c : list_->inside[rank]) {
+        a.place[slot] = points.place(c.rank(), c.code());
+        a.point[slot] = c.point;
+        take(c.s, std::max(c.density, 0.f), c.weight);
     }
-    fill_up(a.first_axis[rank]);
+    fill_up(slot, a.first_axis[rank]);
+    slot = a.first_axis[rank];
     for (std::uint32_t i = axes_of_.first(rank); i < axes_of_.last(rank); ++i) {
-        const WispContact& c = list_->axes()[by_segment_[i]];
+        const WispContact& c = list_->axes[by_segment_[i]];
         a.place[slot] = points.places() + by_segment_[i];
+        a.point[slot] = 0;
         a.axis_points[by_segment_[i]].slot = slot;
-        take_slot(points, slot++, c);
-        sum += c.weight;
+        take(c.s, c.kind == WispContactKind::friction ? c.density : 0.f, c.weight);
     }
-    fill_up(a.first[rank + 1]);
+    fill_up(slot, a.first[rank + 1]);
     on_segment_[rank] = sum;
     a.near[rank] = a.far[rank] = Four{};
 }
 
-void WispResponse::take_slot(const ContactPoints& points, std::uint32_t slot,
-                             const WispContact& contact) {
+/// With slots that answer nothing.
+void WispResponse::fill_up(std::uint32_t slot, std::uint32_t end) {
     WispAnswers& a = answers_;
-    a.rank[slot] = points.order.rank(contact.section);
-    a.diagonal[slot][3] = contact.s;
-    a.weight[slot] = contact.weight;
-    a.density[slot] = contact.kind == WispContactKind::friction ? contact.density : 0.f;
+    for (; slot < end; ++slot) {
+        a.place[slot] = a.point[slot] = 0;
+        a.weight[slot] = a.density[slot] = 0;
+        a.diagonal[slot] = a.beside[slot] = Four{};
+    }
 }
 
 void WispResponse::take_axis_points(const ContactPoints& points) {
     answers_.axis_points.clear();
-    for (const WispContact& c : list_->axes())
+    for (const WispContact& c : list_->axes)
         answers_.axis_points.push_back({points.order.rank(c.section), 0, c.along});
 }
 
-/// Section by section, the slots of the contacts at its points.
-void WispResponse::sort_by_section(const ContactOrder& order, Threads& threads) {
+/// Section by section, the slots of the contacts at its points; behind all, those that have none.
+void WispResponse::sort_by_section(const ContactPoints& points, Threads& threads) {
     WispAnswers& a = answers_;
-    const std::vector<WispContact>& contacts = list_->contacts;
-    make_room(a.entry, list_->of_points() + 32);
+    const std::uint32_t ranks = points.order.size(), slots = a.first[ranks];
+    make_room(a.entry, std::size_t{slots} + 32);
     a.at_section.sort(
-        threads, order.size(), list_->of_points(),
-        [&](std::size_t i) { return order.rank(contacts[i].section); },
-        [&](std::size_t i, std::uint32_t at) {
-            const std::uint32_t segment = order.rank(contacts[i].segment),
-                                slot = a.first[segment] + static_cast<std::uint32_t>(i) -
-                                       list_->first[segment];
-            a.entry[at] = slot * 16 + contacts[i].point.code;
+        threads, std::size_t{ranks} + 1, slots,
+        [&](std::size_t slot) {
+            const bool at_point = a.weight[slot] > 0 && a.place[slot] < points.places();
+            return at_point ? a.point[slot] / 16 : ranks;
+        },
+        [&](std::size_t slot, std::uint32_t at) {
+            a.entry[at] = static_cast<std::uint32_t>(slot) * 16 + a.point[slot] % 16;
         });
 }
 
@@ -246,21 +247,22 @@ void WispResponse::list(const HairView& hair, const ContactOrder& order,
         const std::uint32_t second = c.point.is_axis() ? c.section + 1 : c.section;
         return hair.layout.simulated(second) || hair.layout.simulated(c.segment + 1);
     };
-    const auto slot_of = [&](std::uint32_t i) {
-        if (i >= list_->of_points())
-            return answers_.axis_points[i - list_->of_points()].slot;
-        const std::uint32_t segment = order.rank(list_->contacts[i].segment);
-        return answers_.first[segment] + i - list_->first[segment];
+    struct Answered {
+        WispContact contact;
+        std::uint32_t slot;
     };
-    std::vector<std::uint32_t> sorted;
-    for (std::uint32_t i = 0; i < list_->contacts.size(); ++i)
-        if (can_move(list_->contacts[i]))
-            sorted.push_back(i);
-    std::sort(sorted.begin(), sorted.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return before(list_->contacts[a], list_->contacts[b]);
-    });
-    for (const std::uint32_t i : sorted) {
-        const WispContact& c = list_->contacts[i];
+    std::vector<Answered> answered;
+    const std::vector<WispContact> all = list_->all(order);
+    std::size_t next = 0;
+    for (std::uint32_t rank = 0; rank < list_->inside.size(); ++rank)
+        for (std::uint32_t i = 0; i < list_->inside[rank].size(); ++i)
+            answered.push_back({all[next++], answers_.first[rank] + i});
+    for (std::uint32_t i = 0; i < list_->axes.size(); ++i)
+        answered.push_back({all[next++], answers_.axis_points[i].slot});
+    std::erase_if(answered, [&](const Answered& a) { return !can_move(a.contact); });
+    std::sort(answered.begin(), answered.end(),
+              [](const Answered& a, const Answered& b) { return before(a.contact, b.contact); });
+    for (const auto& [c, slot] : answered)
         contacts.push_back({.kind = c.kind == WispContactKind::friction ? ContactKind::friction
                                                                         : ContactKind::collision,
                             .point = c.point.is_axis() ? Contact::kBetween : c.point.code,
@@ -268,8 +270,7 @@ void WispResponse::list(const HairView& hair, const ContactOrder& order,
                             .along = c.along,
                             .other = c.segment,
                             .other_along = c.s,
-                            .impulse = first_three(answers_.impulse[slot_of(i)])});
-    }
+                            .impulse = first_three(answers_.impulse[slot])});
 }
 
 } // namespace mane

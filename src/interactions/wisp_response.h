@@ -53,9 +53,9 @@ class WispResponse {
     void take_masses(const HairView& hair, const ContactOrder& order);
     void lay_out_slots(const ContactOrder& order);
     void fill_segment(const ContactPoints& points, std::uint32_t rank);
-    void take_slot(const ContactPoints& points, std::uint32_t slot, const WispContact& contact);
+    void fill_up(std::uint32_t slot, std::uint32_t end);
     void take_axis_points(const ContactPoints& points);
-    void sort_by_section(const ContactOrder& order, Threads& threads);
+    void sort_by_section(const ContactPoints& points, Threads& threads);
     void sort_axes(const ContactOrder& order);
     void share_mass(const ContactPoints& points, std::uint32_t rank);
     void take_axis_velocities(ContactGeometry& geometry) const;

@@ -29,7 +29,7 @@ void detect_wisp_contacts(Simulation& s) {
         2 * s.wisp_detection.intersecting_pairs(); // each from both of its segments
     const std::uint64_t friction = s.wisp_detection.friction_contacts();
     s.statistics.friction_contacts += friction;
-    s.statistics.collision_contacts += s.wisp_detection.contacts().size() - friction;
+    s.statistics.collision_contacts += s.wisp_detection.list().size() - friction;
 }
 
 void detect_character_contacts(Simulation& s) {
@@ -46,7 +46,8 @@ void answer_wisp_contacts(Simulation& s, const StepPlace& place) {
         return;
     const float step = static_cast<float>(s.schedule.step_seconds());
     if (s.desc.wisps.literal) {
-        respond_literally(s.hair(), s.wisp_detection.contacts(), s.desc.wisps, step, s.state);
+        respond_literally(s.hair(), s.wisp_detection.list().all(s.contact_geometry.points().order),
+                          s.desc.wisps, step, s.state);
         return;
     }
     if (place.first())

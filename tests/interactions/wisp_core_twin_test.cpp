@@ -106,8 +106,9 @@ TEST_CASE("the core finds the contacts that comparing everything with everything
         Threads threads(1);
         geometry.take(both.core.view(), threads);
         detection.detect(both.core.view(), geometry.points(), threads);
-        const auto found = by_place(detection.contacts()), wanted = by_place(expected_contacts);
-        REQUIRE(found.size() == detection.contacts().size()); // each place once
+        const auto found = by_place(detection.list().all(geometry.points().order)),
+                   wanted = by_place(expected_contacts);
+        REQUIRE(found.size() == detection.list().size()); // each place once
         for (const auto& [place, w] : wanted) {
             const auto f = found.find(place);
             all += 1;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -39,16 +40,14 @@ class PointSearch {
         : points_(points), all_(test::near_all(points)) {}
 
     /// Whether a segment's contacts are those found among all points of the hair.
-    bool same(std::uint32_t rank, std::span<const WispContact> contacts) {
+    bool same(std::uint32_t rank, std::span<const PointContact> contacts) {
         find(rank, all_);
         auto next = contacts.begin();
         for (std::size_t i = 0; i < found_.count; ++i) {
-            const std::uint32_t section = points_.order.section(found_.point[i] / 16);
-            if (!may_touch(section, rank))
+            if (!may_touch(points_.order.section(found_.point[i] / 16), rank))
                 continue;
-            if (next == contacts.end() || next->section != section ||
-                next->point.code != found_.point[i] % 16 || next->s != found_.s[i] ||
-                next->density != found_.density[i])
+            if (next == contacts.end() || next->point != found_.point[i] ||
+                next->s != found_.s[i] || std::fabs(next->density) != found_.density[i])
                 return false;
             ++next;
         }
@@ -175,7 +174,7 @@ class Pair {
             const std::uint32_t next = points.order.next(rank);
             if (next == ContactOrder::kNone || points.held[next])
                 continue;
-            if (!search.same(rank, list.of_segment(rank)))
+            if (!search.same(rank, list.inside[rank]))
                 return false;
             cut_short_ += search.cut_short(rank, tree);
         }

@@ -58,7 +58,9 @@ void TwinWorld::detect(bool wisps) {
     if (wisps && core_.desc.wisps.mode != WispContactMode::off) {
         core_.contact_geometry.take(core_.hair(), core_.threads);
         core_.wisp_detection.detect(core_.hair(), core_.contact_geometry.points(), core_.threads);
-        contacts_ = contacts_of(core_.wisp_detection.contacts(), core_.groom, core_.layout);
+        contacts_ =
+            contacts_of(core_.wisp_detection.list().all(core_.contact_geometry.points().order),
+                        core_.groom, core_.layout);
         for (const reference::Contact& c : contacts_)
             ++(c.friction ? core_.statistics.friction_contacts
                           : core_.statistics.collision_contacts);
