@@ -87,11 +87,6 @@ HWY_INLINE Mask mask_of(std::uint32_t bits) {
                                    static_cast<std::uint8_t>(bits >> 8)};
     return {hn::LoadMaskBits(Tag(), bytes)};
 }
-/// The lanes where the mask holds, one after the other, wherever `p` points. What follows them, a
-/// whole Pack from `p` on, is written over.
-HWY_INLINE void store_compressed(Pack a, Mask mask, float* p) {
-    hn::StoreU(hn::Compress(a.v, mask.m), Tag(), p);
-}
 /// Where the mask holds `a`, elsewhere `b`.
 HWY_INLINE Pack select(Mask m, Pack a, Pack b) {
     return hn::IfThenElse(m.m, a.v, b.v);
@@ -258,6 +253,61 @@ HWY_INLINE Pack look_up(const float* table, std::size_t vectors, const Places& p
     }
     return found;
 }
+
+/// The lanes where a mask holds, one after the other. Highway's Compress has a table for vectors of
+/// 8 and of 4 lanes, which GCC writes onto the stack anew at every call.
+class Packing {
+  public:
+    HWY_INLINE explicit Packing(Mask mask)
+#if HWY_TARGET == HWY_AVX3
+        : count_(hn::CountTrue(Tag(), mask.m)), mask_(mask.m){}
+#else
+        : Packing(bits_of(mask)) {
+    }
+#endif
+          HWY_INLINE std::size_t count() const {
+        return count_;
+    }
+    /// Wherever `p` points. What follows them, a whole vector from `p` on, is written over.
+    HWY_INLINE void store(Pack a, float* p) const {
+        packed(a).store_any(p);
+    }
+    HWY_INLINE void store(hn::Vec<hn::RebindToSigned<Tag>> a, std::int32_t* p) const {
+        const hn::RebindToSigned<Tag> i;
+        hn::StoreU(hn::BitCast(i, packed(hn::BitCast(Tag(), a)).v), i, p);
+    }
+
+  private:
+    std::size_t count_;
+#if HWY_TARGET == HWY_AVX3
+    HWY_INLINE Pack packed(Pack a) const {
+        return hn::Compress(a.v, mask_);
+    }
+
+    hn::Mask<Tag> mask_;
+#else
+    /// For each set of lanes, which one comes where.
+    struct Table {
+        alignas(64) std::uint8_t lane[std::size_t{1} << kPackLanes][kPackLanes] = {};
+        constexpr Table() {
+            for (std::size_t bits = 0; bits < std::size_t{1} << kPackLanes; ++bits)
+                for (std::size_t from = 0, to = 0; from < kPackLanes; ++from)
+                    if ((bits >> from & 1) != 0)
+                        lane[bits][to++] = static_cast<std::uint8_t>(from);
+        }
+    };
+    HWY_INLINE explicit Packing(std::uint32_t bits) : count_(hwy::PopCount(bits)) {
+        static constexpr Table kTable;
+        const auto lane = hn::Load(hn::Rebind<std::uint8_t, Tag>(), kTable.lane[bits]);
+        from_ = hn::IndicesFromVec(Tag(), hn::PromoteTo(hn::RebindToSigned<Tag>(), lane));
+    }
+    HWY_INLINE Pack packed(Pack a) const {
+        return hn::TableLookupLanes(a.v, from_);
+    }
+
+    decltype(Places::in_vector) from_;
+#endif
+};
 
 /// x to the power p for x > 0, relative error under 3e-6 for results between 1e-3 and 1e3.
 HWY_INLINE Pack power(Pack x, Pack p) {

@@ -74,11 +74,10 @@ class Candidates {
     /// Those of the sixteen whose bits are set; `first`: the number of the first.
     HWY_INLINE void add(const TriangleTree::Leaf& leaf, std::uint32_t bits, std::uint32_t first) {
         for (std::size_t lane = 0; lane < TriangleTree::kBoxes; lane += kPackLanes) {
-            const Mask mask = mask_of(bits >> lane);
-            std::size_t to = count_ + std::popcount(bits & ((1u << lane) - 1));
+            const Packing packing(mask_of(bits >> lane));
+            const std::size_t to = count_ + std::popcount(bits & ((1u << lane) - 1));
             for (std::size_t c = 0; c < 9; ++c)
-                store_compressed(Pack::load(leaf.corner[c / 3][c % 3] + lane), mask,
-                                 corner_[c] + to);
+                packing.store(Pack::load(leaf.corner[c / 3][c % 3] + lane), corner_[c] + to);
         }
         for (; bits != 0; bits &= bits - 1)
             number_[count_++] = first + static_cast<std::uint32_t>(std::countr_zero(bits));

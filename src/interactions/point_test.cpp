@@ -188,19 +188,19 @@ HWY_INLINE Mask of_others(const SegmentVolume& volume, std::uint32_t first) {
 /// Points of one code from rank `first` on.
 HWY_INLINE void wait_if_near(const SegmentVolume& volume, const Pack3& p, std::uint32_t first,
                              std::uint32_t code, Waiting& waiting) {
-    const Tag tag;
     const Mask boxed = in_box(volume.box, p);
     if (none(boxed))
         return;
     const Mask near = both(boxed, of_others(volume, first));
     if (none(near))
         return;
-    hn::CompressStore(p.x.v, near.m, tag, waiting.x + waiting.count);
-    hn::CompressStore(p.y.v, near.m, tag, waiting.y + waiting.count);
-    hn::CompressStore(p.z.v, near.m, tag, waiting.z + waiting.count);
-    const auto point = hn::Add(hn::ShiftLeft<4>(counting_from(first)), whole(code));
-    waiting.count += hn::CompressStore(point, hn::RebindMask(Whole(), near.m), Whole(),
-                                       waiting.point + waiting.count);
+    const Packing packing(near);
+    packing.store(p.x, waiting.x + waiting.count);
+    packing.store(p.y, waiting.y + waiting.count);
+    packing.store(p.z, waiting.z + waiting.count);
+    packing.store(hn::Add(hn::ShiftLeft<4>(counting_from(first)), whole(code)),
+                  waiting.point + waiting.count);
+    waiting.count += packing.count();
 }
 
 HWY_INLINE void test_waiting(const SegmentVolume& volume, const std::vector<HalfLine>& half_lines,
@@ -214,15 +214,13 @@ HWY_INLINE void test_waiting(const SegmentVolume& volume, const std::vector<Half
         const Inside in = inside(volume, half_lines, p, real);
         if (none(in.holds))
             continue;
-        const auto append = [&](Pack value, AlignedVector<float>& target) {
-            hn::CompressStore(value.v, in.holds.m, tag, target.data() + found.count);
-        };
-        append(in.s, found.s);
-        append(in.depth, found.depth);
-        append(density_at(volume, in.s), found.density);
-        found.count += hn::CompressStore(
-            hn::LoadU(Whole(), waiting.point + first), hn::RebindMask(Whole(), in.holds.m), Whole(),
-            reinterpret_cast<std::int32_t*>(found.point.data()) + found.count);
+        const Packing packing(in.holds);
+        packing.store(in.s, found.s.data() + found.count);
+        packing.store(in.depth, found.depth.data() + found.count);
+        packing.store(density_at(volume, in.s), found.density.data() + found.count);
+        packing.store(hn::LoadU(Whole(), waiting.point + first),
+                      reinterpret_cast<std::int32_t*>(found.point.data()) + found.count);
+        found.count += packing.count();
     }
     waiting.count = 0;
 }

@@ -186,7 +186,7 @@ template <int kFours> struct SectionImpulse {
 
 template <int kFours> HWY_INLINE SectionImpulse<kFours>
 gather_section(const ContactPoints& p, const WispAnswers& a, std::uint32_t rank) {
-    Four at_point[1 + kMaxEnvelopePoints] = {a.near[rank]}; // by code
+    Four at_point[1 + 4 * kFours] = {a.near[rank]}; // by code
     if (p.order.before(rank) != ContactOrder::kNone)
         at_point[0] += a.far[p.order.before(rank)];
     for (std::uint32_t i = a.at_section.first(rank); i < a.at_section.last(rank); ++i) {
