@@ -13,8 +13,9 @@ Triangle in_double(const std::array<Vec3, 3>& corners) {
 } // namespace
 
 PosedSurface::PosedSurface(std::span<const std::array<std::uint32_t, 3>> triangles,
-                           std::span<const Vec3> rest)
-    : triangles_(triangles), tree_(triangles, rest), place_(triangles.size()),
+                           std::span<const Vec3> rest, const std::string& instruction_set)
+    : search_(surface_search_for(instruction_set)), triangles_(triangles), tree_(triangles, rest),
+      place_(triangles.size()),
       leaves_((triangles.size() + TriangleTree::kBoxes - 1) / TriangleTree::kBoxes),
       areas_(leaves_.size()) {
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
@@ -31,7 +32,7 @@ void PosedSurface::pose(std::span<const Vec3> vertices) {
             leaves_[i / TriangleTree::kBoxes].set(i % TriangleTree::kBoxes, c, vertices[t[c]]);
     }
     tree_.refit(leaves_);
-    surface_search().areas(leaves_, areas_);
+    search_.areas(leaves_, areas_);
 }
 
 std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
@@ -40,7 +41,7 @@ std::optional<SurfacePlace> PosedSurface::nearest(const Vec3d& p, double radius,
         const double squared = place_on(guess, p).closest.squared;
         radius = std::min(radius, std::sqrt(squared) * (1 + 1e-15));
     }
-    return surface_search().nearest(searched(), p, radius);
+    return search_.nearest(searched(), p, radius);
 }
 
 // In rising distance, from balls that are tried twice as wide as the one before.
@@ -65,7 +66,7 @@ std::optional<SurfacePlace> PosedSurface::nearest_accepted(const Vec3d& p, doubl
 
 void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const {
     places.clear();
-    surface_search().within(searched(), p, radius, places);
+    search_.within(searched(), p, radius, places);
     std::sort(places.begin(), places.end(),
               [](const SurfacePlace& a, const SurfacePlace& b) { return a.triangle < b.triangle; });
 }
@@ -81,7 +82,7 @@ template <typename Visit> void PosedSurface::along(const Vec3d& origin, const Ve
             in_double(leaves_[i / TriangleTree::kBoxes].triangle(i % TriangleTree::kBoxes)));
         return hit.sign == 0 || visit(tree_.order()[i], hit);
     };
-    surface_search().along(
+    search_.along(
         searched(), BoxCrossings(origin, direction, end), &look,
         [](void* context, std::uint32_t i) { return (*static_cast<decltype(look)*>(context))(i); });
 }
@@ -112,11 +113,11 @@ bool PosedSurface::crosses(const Vec3d& a, const Vec3d& b) const {
 }
 
 float PosedSurface::roof(const BoxHeights& heights, float floor, float enough) const {
-    return surface_search().roof(searched(), heights, floor, enough);
+    return search_.roof(searched(), heights, floor, enough);
 }
 
 float PosedSurface::roof(const BallHeights& heights, float floor, float enough) const {
-    return surface_search().roof_in_ball(searched(), heights, floor, enough);
+    return search_.roof_in_ball(searched(), heights, floor, enough);
 }
 
 bool PosedSurface::outside_bounds(const Vec3d& p) const {

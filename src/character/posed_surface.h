@@ -27,7 +27,7 @@ class PosedSurface {
     /// `triangles` must be closed and outlive the surface; `rest` (the vertices in the rest pose)
     /// shapes the search.
     PosedSurface(std::span<const std::array<std::uint32_t, 3>> triangles,
-                 std::span<const Vec3> rest);
+                 std::span<const Vec3> rest, const std::string& instruction_set = "");
 
     /// Takes a new pose; no allocation after the first.
     void pose(std::span<const Vec3> vertices);
@@ -86,6 +86,7 @@ class PosedSurface {
     void along(const Vec3d& origin, const Vec3d& direction, double end, Visit&& visit) const;
     bool outside_bounds(const Vec3d& p) const;
 
+    SurfaceSearch search_{};
     std::span<const std::array<std::uint32_t, 3>> triangles_;
     TriangleTree tree_;
     std::vector<Vec3> vertices_;

@@ -31,11 +31,11 @@ Vec3d turned(const Axes& from, const Axes& to, const Vec3d& d) {
 
 } // namespace
 
-Surface::Surface(const Mesh& rest) : mesh_(close_borders(rest)) {
+Surface::Surface(const Mesh& rest, const std::string& instruction_set)
+    : mesh_(close_borders(rest)) {
     closed_vertices_.resize(mesh_.vertex_count + mesh_.cap_loops.size());
     take(rest.vertices);
-    poses_ = {PosedSurface(mesh_.triangles, closed_vertices_),
-              PosedSurface(mesh_.triangles, closed_vertices_)};
+    poses_.fill(PosedSurface(mesh_.triangles, closed_vertices_, instruction_set));
     find_creases(closed_vertices_);
     sort_by_vertex();
     drift_ = Drift(mesh_.triangles, poses_[0].tree());

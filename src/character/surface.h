@@ -12,7 +12,8 @@ namespace mane {
 /// linearly in time.
 class Surface {
   public:
-    explicit Surface(const Mesh& rest);
+    /// `instruction_set`: "" for the machine's best; all give the same answers.
+    explicit Surface(const Mesh& rest, const std::string& instruction_set = "");
     Surface(const Surface&) = delete; // its poses refer to its triangles
     Surface& operator=(const Surface&) = delete;
 

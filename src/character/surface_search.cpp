@@ -280,12 +280,9 @@ namespace mane {
 
 HWY_EXPORT(search);
 
-const SurfaceSearch& surface_search() {
-    static const SurfaceSearch best = [] {
-        const ChosenInstructionSet chosen(instruction_set(""));
-        return HWY_DYNAMIC_DISPATCH(search)();
-    }();
-    return best;
+SurfaceSearch surface_search_for(const std::string& name) {
+    const ChosenInstructionSet chosen(instruction_set(name));
+    return HWY_DYNAMIC_DISPATCH(search)();
 }
 
 } // namespace mane

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace mane {
@@ -43,7 +44,7 @@ struct SurfaceSearch {
     float (*roof_in_ball)(const SearchedTriangles& in, const BallHeights& heights, float floor,
                           float enough);
 };
-/// For the machine's best instruction set.
-const SurfaceSearch& surface_search();
+/// For an instruction set by name, or the machine's best for "".
+SurfaceSearch surface_search_for(const std::string& instruction_set);
 
 } // namespace mane

@@ -41,13 +41,14 @@ RigidFrame frame_of(const BonePose& bone, const Vec3d& origin) {
 
 } // namespace
 
-Cast::Cast(std::vector<Body> bodies) : bodies_(std::move(bodies)), posed_(bodies_.size()) {
+Cast::Cast(std::vector<Body> bodies, const std::string& instruction_set)
+    : bodies_(std::move(bodies)), posed_(bodies_.size()) {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
         posed_[b].vertices.resize(bodies_[b].mesh.vertices.size());
         posed_[b].velocities.resize(bodies_[b].mesh.vertices.size());
         posed_[b].main_bones = main_bones(bodies_[b]);
         posed_[b].frames.resize(posed_[b].main_bones.size());
-        surfaces_.push_back(std::make_unique<Surface>(bodies_[b].mesh));
+        surfaces_.push_back(std::make_unique<Surface>(bodies_[b].mesh, instruction_set));
     }
 }
 

@@ -15,7 +15,8 @@ namespace mane {
 /// detection block.
 class Cast {
   public:
-    explicit Cast(std::vector<Body> bodies);
+    /// `instruction_set`: of the searches on their surfaces; "" for the machine's best.
+    explicit Cast(std::vector<Body> bodies, const std::string& instruction_set = "");
 
     /// Poses every body at `time` [s], relative to `origin`: at the beginning of a frame, when the
     /// origin has moved.

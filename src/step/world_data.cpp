@@ -15,7 +15,7 @@ namespace mane {
 World::Data::Data(const SimulationDesc& desc, const Groom& groom, std::vector<Body> bodies,
                   double start_time, const RunOptions& options)
     : simulation(desc, groom, options),
-      cast(std::move(bodies)), epoch_{start_time, 0, simulation.schedule} {
+      cast(std::move(bodies), options.instruction_set), epoch_{start_time, 0, simulation.schedule} {
     frame.time = start_time;
     head_middle = middle_of_roots();
     require_stable_step(simulation.groom, double{desc.air.drag},

@@ -29,11 +29,8 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "base/instruction_set.h"
-#include "mane/error.h"
+#include "instruction_sets.h"
 
-#include <doctest/doctest.h>
-
-#include <string>
 #include <vector>
 
 namespace mane {
@@ -61,14 +58,9 @@ std::size_t wrongly_packed(const InstructionSet& set) {
 }
 
 TEST_CASE("the lanes of a mask come one after the other, for every mask and instruction set") {
-    for (const char* name : {"avx512", "avx2", "sse4", "neon", "scalar"}) {
-        try {
-            const std::size_t wrong = wrongly_packed(instruction_set(name));
-            CHECK(wrong == 0);
-        } catch (const InputError&) {
-            MESSAGE("skipped: no " << std::string(name) << " on this machine");
-        }
-    }
+    for (const std::size_t wrong : test::on_all_sets(
+             [](const std::string& name) { return wrongly_packed(instruction_set(name)); }))
+        CHECK(wrong == 0);
 }
 
 } // namespace mane

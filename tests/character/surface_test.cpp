@@ -3,11 +3,14 @@
 #include "bodies/meshes.h"
 #include "character/box_tests.h"
 #include "character/surface.h"
+#include "instruction_sets.h"
 
 #include <doctest/doctest.h>
-#include <limits>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 using namespace mane;
 using namespace mane::test;
@@ -143,6 +146,42 @@ TEST_CASE("queries agree with brute force on small meshes") {
 TEST_CASE("queries agree with brute force on real heads, open and non-manifold") {
     for (const Case& c : real_meshes())
         check_queries(c, 40);
+}
+
+namespace {
+
+bool same(const SurfacePlace& a, const SurfacePlace& b) {
+    return a.triangle == b.triangle && a.closest.squared == b.closest.squared &&
+           a.closest.point == b.closest.point && a.closest.barycentric == b.closest.barycentric;
+}
+
+/// Whether two surfaces answer alike, to the bit.
+bool alike(const PosedSurface& a, const PosedSurface& b, const Vec3d& p) {
+    const auto nearest = a.nearest(p, 1), other = b.nearest(p, 1);
+    std::vector<SurfacePlace> places, others;
+    const double radius = std::sqrt(nearest->closest.squared) + 0.02;
+    a.within(p, radius, places);
+    b.within(p, radius, others);
+    const BallHeights heights({0, 0.6f, 0.8f}, Vec3(p), static_cast<float>(radius));
+    const BoxHeights& in_box = heights;
+    return same(*nearest, *other) &&
+           std::equal(places.begin(), places.end(), others.begin(), others.end(), same) &&
+           a.roof(heights, -1, 1) == b.roof(heights, -1, 1) &&
+           a.roof(in_box, -1, 1) == b.roof(in_box, -1, 1) &&
+           a.area(nearest->triangle) == b.area(nearest->triangle);
+}
+
+} // namespace
+
+TEST_CASE("queries have the same bits for every instruction set") {
+    for (const Case& c : small_meshes()) {
+        CAPTURE(c.name);
+        const Surface best(c.mesh);
+        for (const auto& set : test::on_all_sets(
+                 [&](const std::string& name) { return std::make_unique<Surface>(c.mesh, name); }))
+            for (const Vec3d& p : points_about(c.mesh, 400, 0.5))
+                CHECK(alike(best.start(), set->start(), p));
+    }
 }
 
 namespace {

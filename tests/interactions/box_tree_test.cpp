@@ -1,7 +1,7 @@
 /// The search for boxes and points of §4.1 against looking at every one.
 
+#include "instruction_sets.h"
 #include "interactions/contact_geometry.h"
-#include "interactions/instruction_sets.h"
 #include "interactions/near_all.h"
 #include "interactions/point_test.h"
 #include "interactions/toy_hair.h"

@@ -1,10 +1,10 @@
 /// Searches for a group of segments at once, in tangles of bent wisps: points as for each segment
 /// alone, axes as by asking for all of them.
 
+#include "instruction_sets.h"
 #include "interactions/axis_search.h"
 #include "interactions/axis_test.h"
 #include "interactions/contact_geometry.h"
-#include "interactions/instruction_sets.h"
 #include "interactions/near_all.h"
 #include "interactions/point_test.h"
 #include "interactions/toy_hair.h"

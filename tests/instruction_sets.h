@@ -10,8 +10,8 @@
 namespace mane::test {
 
 /// What `make` gives for the name of every instruction set that this machine has.
-template <typename Kernels> std::vector<Kernels> on_all_sets(Kernels (*make)(const std::string&)) {
-    std::vector<Kernels> all;
+template <typename Make> auto on_all_sets(Make&& make) {
+    std::vector<decltype(make(std::string()))> all;
     for (const char* name : {"avx512", "avx2", "sse4", "neon", "scalar"}) {
         try {
             all.push_back(make(name));
