@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace mane {
 namespace {
@@ -38,6 +39,22 @@ ParallelLimits limits_of(const WispContactDesc& desc) {
 constexpr float kFullDepth = 0.8f;
 float weight_at(float depth) {
     return std::clamp((1 - depth) / (1 - kFullDepth), 1e-3f, 1.f);
+}
+
+/// No segment; fills up lists of them.
+constexpr std::uint32_t kNone = ~0u;
+
+/// Whether a list that fills whole fours has a number.
+bool has(std::span<const std::uint32_t> fours, std::uint32_t number) {
+    using FourWhole [[gnu::vector_size(16)]] = std::uint32_t;
+    FourBits equal{};
+    for (std::size_t i = 0; i < fours.size(); i += 4) {
+        FourWhole four;
+        std::memcpy(&four, &fours[i], sizeof four);
+        equal |= four == number;
+    }
+    const Those those(equal);
+    return those.begin() != those.end();
 }
 
 std::size_t chunks_of(std::size_t things, std::size_t per_chunk) {
@@ -242,6 +259,7 @@ void WispDetection::take_points(const ContactPoints& points, std::size_t index,
     }
     for (std::size_t m = first_met_[index]; m < found.met.size(); ++m)
         scratch.has_met[found.met[m]] = false;
+    found.met.resize((found.met.size() + 3) / 4 * 4, kNone);
 }
 
 /// A section stands for the segment before it and the one after it: which of them may touch the
@@ -368,11 +386,9 @@ void WispDetection::count_pairs(std::size_t chunk) {
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
     for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {
         for (const std::uint32_t other : met_by(i)) {
-            bool both = false; // asked of all, several at a time
-            if (other < i)
-                for (const std::uint32_t back : met_by(other))
-                    both |= back == i;
-            found.pairs += !both;
+            if (other == kNone)
+                break;
+            found.pairs += other > i || !has(met_by(other), i);
         }
     }
 }

@@ -53,7 +53,8 @@ class WispDetection {
     /// What a chunk of segments found, beside the points in the list.
     struct Found {
         std::vector<WispContact> axes;
-        std::vector<std::uint32_t> met; ///< by segment: those that have a point inside it
+        std::vector<std::uint32_t>
+            met; ///< by segment, in whole fours: those that have a point inside it
         Sliding points, earlier_points; ///< now and at the last call
         Sliding along, earlier_along;   ///< axes
         std::uint64_t pairs = 0;
@@ -65,7 +66,7 @@ class WispDetection {
         std::array<PointsInside, kLanes> inside;
         std::vector<std::uint32_t> slender;                  ///< ranks of those that are
         std::array<std::vector<std::uint32_t>, kLanes> axes; ///< per slender one: that it may meet
-        std::vector<bool> has_met;                           ///< by the present segment
+        std::vector<std::uint8_t> has_met;                   ///< by the present segment
         std::vector<PointContact> contacts;                  ///< of the present chunk
     };
     struct Belongs {
