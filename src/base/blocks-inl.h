@@ -55,6 +55,18 @@ template <typename D> HWY_INLINE hn::Vec<D> fetch(D d, const Four* base, const s
     }
 }
 
+/// Highway's look-up of lanes instead goes through memory in WebAssembly.
+template <int a, std::size_t kBlocks, typename Raw> HWY_INLINE Raw turned_blocks(Raw x) {
+    constexpr int b = (a + 1) % 3, c = (a + 2) % 3;
+    if constexpr (kBlocks == 1)
+        return __builtin_shufflevector(x, x, a, b, c, 3);
+    else if constexpr (kBlocks == 2)
+        return __builtin_shufflevector(x, x, a, b, c, 3, a + 4, b + 4, c + 4, 7);
+    else
+        return __builtin_shufflevector(x, x, a, b, c, 3, a + 4, b + 4, c + 4, 7, //
+                                       a + 8, b + 8, c + 8, 11, a + 12, b + 12, c + 12, 15);
+}
+
 struct Blocks {
     static constexpr std::size_t kCount = kPackLanes / 4;
     hn::Vec<Tag> v;
@@ -84,11 +96,7 @@ struct Blocks {
     template <int kPlace> HWY_INLINE Blocks all() const { return {hn::Broadcast<kPlace>(v)}; }
     /// In every block, the first three in a ring, so many places on: y, z, x or z, x, y.
     template <int kPlaces> HWY_INLINE Blocks turned() const {
-        constexpr std::int32_t a = kPlaces, b = (a + 1) % 3, c = (a + 2) % 3;
-        alignas(64) static constexpr std::int32_t kFrom[16] = {
-            a,     b,     c,     3,  a + 4,  b + 4,  c + 4,  7, //
-            a + 8, b + 8, c + 8, 11, a + 12, b + 12, c + 12, 15};
-        return {hn::TableLookupLanes(v, hn::SetTableIndices(Tag(), kFrom))};
+        return {hn::Vec<Tag>{turned_blocks<kPlaces, kCount>(v.raw)}};
     }
     HWY_INLINE void store(Four* p) const { hn::Store(v, Tag(), reinterpret_cast<float*>(p)); }
 };

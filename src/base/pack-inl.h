@@ -211,7 +211,15 @@ inline constexpr InterleavedLanes kInterleaved;
 
 /// Writes x, y, z of one lane after the other.
 HWY_INLINE void store_interleaved(const Pack3& p, float* to) {
-#if HWY_TARGET == HWY_AVX3 // a third of the shuffles of Highway's
+#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_WASM // two thirds of the shuffles of Highway's
+    const auto x = p.x.v.raw, y = p.y.v.raw, z = p.z.v.raw;
+    const auto put = [to](std::size_t i, auto four) {
+        hn::StoreU(hn::Vec<Tag>{four}, Tag(), to + 4 * i);
+    };
+    put(0, __builtin_shufflevector(__builtin_shufflevector(x, y, 0, 4, 1, 1), z, 0, 1, 4, 2));
+    put(1, __builtin_shufflevector(__builtin_shufflevector(y, z, 1, 5, 2, 2), x, 0, 1, 6, 2));
+    put(2, __builtin_shufflevector(__builtin_shufflevector(z, x, 2, 7, 3, 3), y, 0, 1, 7, 2));
+#elif HWY_TARGET == HWY_AVX3 // a third
     for (int i = 0; i < 3; ++i) {
         const __m512 xy =
             _mm512_permutex2var_ps(p.x.v.raw, _mm512_load_si512(kInterleaved.of_xy[i]), p.y.v.raw);
@@ -228,16 +236,42 @@ HWY_INLINE Pack whole_part(Pack a) {
     return hn::Floor(a.v);
 }
 
+using Whole = hn::RebindToSigned<Tag>;
+
+/// Which lane of a vector comes where.
+#if HWY_TARGET == HWY_WASM // Highway goes through memory there, byte by byte
+class Lanes {
+  public:
+    HWY_INLINE explicit Lanes(hn::Vec<Whole> from)
+        : bytes_(
+              hn::Add(hn::Mul(from, hn::Set(Whole(), 0x04040404)), hn::Set(Whole(), 0x03020100))) {}
+    HWY_INLINE Pack of(Pack a) const {
+        return hn::Vec<Tag>{wasm_i8x16_swizzle(a.v.raw, bytes_.raw)};
+    }
+
+  private:
+    hn::Vec<Whole> bytes_;
+};
+#else
+class Lanes {
+  public:
+    HWY_INLINE explicit Lanes(hn::Vec<Whole> from) : from_(hn::IndicesFromVec(Tag(), from)) {}
+    HWY_INLINE Pack of(Pack a) const { return hn::TableLookupLanes(a.v, from_); }
+
+  private:
+    decltype(hn::IndicesFromVec(Tag(), hn::Zero(Whole()))) from_;
+};
+#endif
+
 /// Where the lanes look in a table: `whole` numbers, which may lie in any of the vectors that hold
 /// it.
 struct Places {
     Pack whole;
-    decltype(hn::IndicesFromVec(Tag(), hn::Zero(hn::RebindToSigned<Tag>()))) in_vector;
+    Lanes in_vector;
 };
 HWY_INLINE Places places(Pack whole) {
-    const hn::RebindToSigned<Tag> i;
-    const auto lane = hn::And(hn::ConvertTo(i, whole.v), hn::Set(i, int{kPackLanes - 1}));
-    return {whole, hn::IndicesFromVec(Tag(), lane)};
+    return {whole,
+            Lanes(hn::And(hn::ConvertTo(Whole(), whole.v), hn::Set(Whole(), int{kPackLanes - 1})))};
 }
 /// How many vectors hold a table of `entries`.
 HWY_INLINE std::size_t tables_for(std::size_t entries) {
@@ -245,69 +279,61 @@ HWY_INLINE std::size_t tables_for(std::size_t entries) {
 }
 /// table[place] in each lane. All of the `vectors` are read, whatever is looked up.
 HWY_INLINE Pack look_up(const float* table, std::size_t vectors, const Places& place) {
-    Pack found = hn::TableLookupLanes(Pack::load_any(table).v, place.in_vector);
+    Pack found = place.in_vector.of(Pack::load_any(table));
     for (std::size_t n = 1; n < vectors; ++n) {
-        const Pack next =
-            hn::TableLookupLanes(Pack::load_any(table + n * kPackLanes).v, place.in_vector);
+        const Pack next = place.in_vector.of(Pack::load_any(table + n * kPackLanes));
         found = select(place.whole < Pack(static_cast<float>(n * kPackLanes)), found, next);
     }
     return found;
 }
 
-/// The lanes where a mask holds, one after the other. Highway's Compress has a table for vectors of
-/// 8 and of 4 lanes, which GCC writes onto the stack anew at every call.
+/// The lanes where a mask holds, one after the other. Stored, what follows them is written over: a
+/// whole vector, wherever it is.
+#if HWY_TARGET == HWY_AVX3
 class Packing {
   public:
-    HWY_INLINE explicit Packing(Mask mask)
-#if HWY_TARGET == HWY_AVX3
-        : count_(hn::CountTrue(Tag(), mask.m)), mask_(mask.m){}
-#else
-        : Packing(bits_of(mask)) {
-    }
-#endif
-          HWY_INLINE std::size_t count() const {
-        return count_;
-    }
-    /// Wherever `p` points. What follows them, a whole vector from `p` on, is written over.
-    HWY_INLINE void store(Pack a, float* p) const {
-        packed(a).store_any(p);
-    }
-    HWY_INLINE void store(hn::Vec<hn::RebindToSigned<Tag>> a, std::int32_t* p) const {
-        const hn::RebindToSigned<Tag> i;
-        hn::StoreU(hn::BitCast(i, packed(hn::BitCast(Tag(), a)).v), i, p);
+    HWY_INLINE explicit Packing(Mask mask) : mask_(mask.m) {}
+    HWY_INLINE std::size_t count() const { return hn::CountTrue(Tag(), mask_); }
+    HWY_INLINE void store(Pack a, float* p) const { Pack(hn::Compress(a.v, mask_)).store_any(p); }
+    HWY_INLINE void store(hn::Vec<Whole> a, std::int32_t* p) const {
+        hn::StoreU(hn::Compress(a, hn::RebindMask(Whole(), mask_)), Whole(), p);
     }
 
   private:
-    std::size_t count_;
-#if HWY_TARGET == HWY_AVX3
-    HWY_INLINE Pack packed(Pack a) const {
-        return hn::Compress(a.v, mask_);
-    }
-
     hn::Mask<Tag> mask_;
+};
 #else
-    /// For each set of lanes, which one comes where.
-    struct Table {
-        alignas(64) std::uint8_t lane[std::size_t{1} << kPackLanes][kPackLanes] = {};
-        constexpr Table() {
-            for (std::size_t bits = 0; bits < std::size_t{1} << kPackLanes; ++bits)
-                for (std::size_t from = 0, to = 0; from < kPackLanes; ++from)
-                    if ((bits >> from & 1) != 0)
-                        lane[bits][to++] = static_cast<std::uint8_t>(from);
-        }
-    };
-    HWY_INLINE explicit Packing(std::uint32_t bits) : count_(hwy::PopCount(bits)) {
-        static constexpr Table kTable;
-        const auto lane = hn::Load(hn::Rebind<std::uint8_t, Tag>(), kTable.lane[bits]);
-        from_ = hn::IndicesFromVec(Tag(), hn::PromoteTo(hn::RebindToSigned<Tag>(), lane));
+/// For each set of lanes, which one comes where.
+struct PackedLanes {
+    alignas(64) std::uint8_t lane[std::size_t{1} << kPackLanes][kPackLanes] = {};
+
+    constexpr PackedLanes() {
+        for (std::size_t bits = 0; bits < std::size_t{1} << kPackLanes; ++bits)
+            for (std::size_t from = 0, to = 0; from < kPackLanes; ++from)
+                if ((bits >> from & 1) != 0)
+                    lane[bits][to++] = static_cast<std::uint8_t>(from);
     }
-    HWY_INLINE Pack packed(Pack a) const {
-        return hn::TableLookupLanes(a.v, from_);
+};
+inline constexpr PackedLanes kPackedLanes; // GCC copies Highway's own to the stack at every call
+class Packing {
+  public:
+    HWY_INLINE explicit Packing(Mask mask) : Packing(bits_of(mask)) {}
+    HWY_INLINE std::size_t count() const { return count_; }
+    HWY_INLINE void store(Pack a, float* p) const { lanes_.of(a).store_any(p); }
+    HWY_INLINE void store(hn::Vec<Whole> a, std::int32_t* p) const {
+        hn::StoreU(hn::BitCast(Whole(), lanes_.of(hn::BitCast(Tag(), a)).v), Whole(), p);
     }
 
-    decltype(Places::in_vector) from_;
-#endif
+  private:
+    HWY_INLINE explicit Packing(std::uint32_t bits)
+        : count_(hwy::PopCount(bits)),
+          lanes_(hn::PromoteTo(
+              Whole(), hn::Load(hn::Rebind<std::uint8_t, Tag>(), kPackedLanes.lane[bits]))) {}
+
+    std::size_t count_;
+    Lanes lanes_;
 };
+#endif
 
 /// x to the power p for x > 0, relative error under 3e-6 for results between 1e-3 and 1e3.
 HWY_INLINE Pack power(Pack x, Pack p) {

@@ -158,8 +158,6 @@ void gather(const BoxTree& tree, const Box& box, NearBoxes& near) {
     });
 }
 
-using Whole = hn::RebindToSigned<Tag>;
-
 HWY_INLINE hn::Vec<Whole> whole(std::uint32_t x) {
     return hn::Set(Whole(), static_cast<std::int32_t>(x));
 }
