@@ -92,6 +92,24 @@ HWY_INLINE Mask mask_of(std::uint32_t bits) {
 HWY_INLINE void store_compressed(Pack a, Mask mask, float* p) {
     hn::StoreU(hn::Compress(a.v, mask.m), Tag(), p);
 }
+/// As many whole numbers.
+struct Numbers {
+    using Whole = hn::RebindToUnsigned<Tag>;
+    hn::Vec<Whole> v;
+
+    HWY_INLINE Numbers(hn::Vec<Whole> vector) : v(vector) {}
+    HWY_INLINE explicit Numbers(std::uint32_t x) : v(hn::Set(Whole(), x)) {}
+    static HWY_INLINE Numbers load_any(const std::uint32_t* p) { return hn::LoadU(Whole(), p); }
+    /// From `first` on.
+    static HWY_INLINE Numbers counting(std::uint32_t first) { return hn::Iota(Whole(), first); }
+};
+HWY_INLINE Mask operator==(Numbers a, Numbers b) {
+    return {hn::RebindMask(Tag(), hn::Eq(a.v, b.v))};
+}
+HWY_INLINE void store_compressed(Numbers a, Mask mask, std::uint32_t* p) {
+    const Numbers::Whole whole;
+    hn::StoreU(hn::Compress(a.v, hn::RebindMask(whole, mask.m)), whole, p);
+}
 /// Where the mask holds `a`, elsewhere `b`.
 HWY_INLINE Pack select(Mask m, Pack a, Pack b) {
     return hn::IfThenElse(m.m, a.v, b.v);
