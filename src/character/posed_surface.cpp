@@ -50,9 +50,7 @@ std::optional<SurfacePlace> PosedSurface::nearest_accepted(const Vec3d& p, doubl
     double passed = -1;
     for (double ball = std::min(radius, 0.01);; ball = std::min(radius, 2 * ball)) {
         within(p, ball, places);
-        std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
-            return a.closest.squared < b.closest.squared;
-        });
+        std::sort(places.begin(), places.end(), nearer);
         for (const SurfacePlace& place : places) {
             if (place.closest.squared > passed && accept(place))
                 return place;
@@ -66,8 +64,12 @@ std::optional<SurfacePlace> PosedSurface::nearest_accepted(const Vec3d& p, doubl
 void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const {
     places.clear();
     surface_search().within(searched(), p, radius, places);
-    std::sort(places.begin(), places.end(),
-              [](const SurfacePlace& a, const SurfacePlace& b) { return a.triangle < b.triangle; });
+}
+
+void PosedSurface::local(const Vec3d& p, double radius, PlaceRows& rows,
+                         std::vector<SurfacePlace>& places) const {
+    within(p, radius, places);
+    keep_local(triangles_, rows, places);
 }
 
 /// Calls visit(triangle, hit) for the triangles that the line from `origin` along `direction`
