@@ -87,6 +87,24 @@ HWY_INLINE Mask mask_of(std::uint32_t bits) {
                                    static_cast<std::uint8_t>(bits >> 8)};
     return {hn::LoadMaskBits(Tag(), bytes)};
 }
+/// As many whole numbers.
+struct Numbers {
+    using D = hn::RebindToUnsigned<Tag>;
+    hn::Vec<D> v;
+
+    HWY_INLINE Numbers(hn::Vec<D> vector) : v(vector) {}
+    HWY_INLINE explicit Numbers(std::uint32_t x) : v(hn::Set(D(), x)) {}
+    static HWY_INLINE Numbers load_any(const std::uint32_t* p) { return hn::LoadU(D(), p); }
+    /// From `first` on. (Highway's own writes them one by one and waits for them.)
+    static HWY_INLINE Numbers counting(std::uint32_t first) {
+        alignas(64) static constexpr std::uint32_t kCounting[16] = {0, 1, 2,  3,  4,  5,  6,  7,
+                                                                    8, 9, 10, 11, 12, 13, 14, 15};
+        return hn::Add(hn::Load(D(), kCounting), hn::Set(D(), first));
+    }
+};
+HWY_INLINE Mask operator==(Numbers a, Numbers b) {
+    return {hn::RebindMask(Tag(), hn::Eq(a.v, b.v))};
+}
 /// Where the mask holds `a`, elsewhere `b`.
 HWY_INLINE Pack select(Mask m, Pack a, Pack b) {
     return hn::IfThenElse(m.m, a.v, b.v);
@@ -295,8 +313,9 @@ class Packing {
     HWY_INLINE explicit Packing(Mask mask) : mask_(mask.m) {}
     HWY_INLINE std::size_t count() const { return hn::CountTrue(Tag(), mask_); }
     HWY_INLINE void store(Pack a, float* p) const { Pack(hn::Compress(a.v, mask_)).store_any(p); }
-    HWY_INLINE void store(hn::Vec<Whole> a, std::int32_t* p) const {
-        hn::StoreU(hn::Compress(a, hn::RebindMask(Whole(), mask_)), Whole(), p);
+    HWY_INLINE void store(Numbers a, std::uint32_t* p) const {
+        const Numbers::D d;
+        hn::StoreU(hn::Compress(a.v, hn::RebindMask(d, mask_)), d, p);
     }
 
   private:
@@ -320,8 +339,9 @@ class Packing {
     HWY_INLINE explicit Packing(Mask mask) : Packing(bits_of(mask)) {}
     HWY_INLINE std::size_t count() const { return count_; }
     HWY_INLINE void store(Pack a, float* p) const { lanes_.of(a).store_any(p); }
-    HWY_INLINE void store(hn::Vec<Whole> a, std::int32_t* p) const {
-        hn::StoreU(hn::BitCast(Whole(), lanes_.of(hn::BitCast(Tag(), a)).v), Whole(), p);
+    HWY_INLINE void store(Numbers a, std::uint32_t* p) const {
+        const Numbers::D d;
+        hn::StoreU(hn::BitCast(d, lanes_.of(hn::BitCast(Tag(), a.v)).v), d, p);
     }
 
   private:

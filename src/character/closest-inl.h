@@ -78,9 +78,10 @@ class Candidates {
             const std::size_t to = count_ + std::popcount(bits & ((1u << lane) - 1));
             for (std::size_t c = 0; c < 9; ++c)
                 packing.store(Pack::load(leaf.corner[c / 3][c % 3] + lane), corner_[c] + to);
+            packing.store(Numbers::counting(first + static_cast<std::uint32_t>(lane)),
+                          number_ + to);
         }
-        for (; bits != 0; bits &= bits - 1)
-            number_[count_++] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+        count_ += static_cast<std::size_t>(std::popcount(bits));
     }
     /// Whether there may be no room for those of one more leaf.
     HWY_INLINE bool full() const { return count_ > kMost - TriangleTree::kBoxes; }
@@ -127,7 +128,7 @@ class Candidates {
     Doubles3 p_;
     std::size_t count_ = 0;
     float corner_[9][kMost + kPackLanes];
-    std::uint32_t number_[kMost];
+    std::uint32_t number_[kMost + kPackLanes];
 };
 
 } // namespace mane::HWY_NAMESPACE

@@ -14,8 +14,8 @@ Triangle in_double(const std::array<Vec3, 3>& corners) {
 
 PosedSurface::PosedSurface(std::span<const std::array<std::uint32_t, 3>> triangles,
                            std::span<const Vec3> rest, const std::string& instruction_set)
-    : search_(surface_search_for(instruction_set)), triangles_(triangles), tree_(triangles, rest),
-      place_(triangles.size()),
+    : search_(surface_search_for(instruction_set)), keep_local_(keep_local_for(instruction_set)),
+      triangles_(triangles), tree_(triangles, rest), place_(triangles.size()),
       leaves_((triangles.size() + TriangleTree::kBoxes - 1) / TriangleTree::kBoxes),
       areas_(leaves_.size()) {
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
@@ -51,9 +51,7 @@ std::optional<SurfacePlace> PosedSurface::nearest_accepted(const Vec3d& p, doubl
     double passed = -1;
     for (double ball = std::min(radius, 0.01);; ball = std::min(radius, 2 * ball)) {
         within(p, ball, places);
-        std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) {
-            return a.closest.squared < b.closest.squared;
-        });
+        std::sort(places.begin(), places.end(), nearer);
         for (const SurfacePlace& place : places) {
             if (place.closest.squared > passed && accept(place))
                 return place;
@@ -67,8 +65,12 @@ std::optional<SurfacePlace> PosedSurface::nearest_accepted(const Vec3d& p, doubl
 void PosedSurface::within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const {
     places.clear();
     search_.within(searched(), p, radius, places);
-    std::sort(places.begin(), places.end(),
-              [](const SurfacePlace& a, const SurfacePlace& b) { return a.triangle < b.triangle; });
+}
+
+void PosedSurface::local(const Vec3d& p, double radius, PlaceRows& rows,
+                         std::vector<SurfacePlace>& places) const {
+    within(p, radius, places);
+    keep_local_(triangles_, rows, places);
 }
 
 /// Calls visit(triangle, hit) for the triangles that the line from `origin` along `direction`

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "character/local_places.h"
 #include "character/surface_search.h"
 
 #include <array>
@@ -59,8 +60,11 @@ class PosedSurface {
     using Accept = std::function<bool(const SurfacePlace&)>;
     std::optional<SurfacePlace> nearest_accepted(const Vec3d& p, double radius,
                                                  const Accept& accept) const;
-    /// The nearest place of every triangle within `radius` [m] of `p`, by rising triangle.
+    /// The nearest place of every triangle within `radius` [m] of `p`, in the tree's order.
     void within(const Vec3d& p, double radius, std::vector<SurfacePlace>& places) const;
+    /// Those of them that keep_local() leaves.
+    void local(const Vec3d& p, double radius, PlaceRows& rows,
+               std::vector<SurfacePlace>& places) const;
     /// All crossings of the segment from `a` to `b`, by rising position, then triangle. Watertight:
     /// see LineCrossing.
     void crossings(const Vec3d& a, const Vec3d& b, std::vector<Crossing>& found) const;
@@ -87,6 +91,7 @@ class PosedSurface {
     bool outside_bounds(const Vec3d& p) const;
 
     SurfaceSearch search_{};
+    KeepLocal* keep_local_ = nullptr;
     std::span<const std::array<std::uint32_t, 3>> triangles_;
     TriangleTree tree_;
     std::vector<Vec3> vertices_;

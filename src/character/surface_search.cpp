@@ -9,6 +9,7 @@
 #include "character/closest-inl.h"
 
 #include <bit>
+#include <limits>
 
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
@@ -87,18 +88,19 @@ HWY_INLINE Pack apart(const BoxCrossings& c, const TriangleTree::Node& node, std
 }
 
 /// Goes through the nodes that look_into(node) gives bits of, a bit per box, and calls
-/// visit(leaf, bits) where these are triangles, until it returns false.
+/// visit(leaf, bits) for the lowest, until it returns false. Those are visited without bits too: to
+/// do nothing costs less than what the processor cannot foresee.
 template <typename LookInto, typename Visit>
 HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& visit) {
     struct Level {
         std::uint32_t node, left; // of its boxes to look into, those not yet visited
     };
     Level stack[TriangleTree::kLevels + 1];
-    const std::size_t top = tree.levels(); // of one box, the last node's
+    const std::size_t top = tree.levels(); // its boxes are the last level's nodes
     if (top == 0)
         return;
     std::size_t level = top;
-    stack[top] = {0, 1};
+    stack[top] = {0, (1u << tree.top_nodes()) - 1};
     for (;;) {
         Level& now = stack[level];
         if (now.left == 0) {
@@ -113,7 +115,7 @@ HWY_INLINE void walk(const TriangleTree& tree, LookInto&& look_into, Visit&& vis
         const std::uint32_t bits = look_into(tree.node(level - 1, inner));
         if (level > 1)
             stack[--level] = {inner, bits};
-        else if (bits != 0 && !visit(inner, bits))
+        else if (!visit(inner, bits))
             return;
     }
 }
@@ -161,18 +163,21 @@ std::optional<SurfacePlace> nearest(const SearchedTriangles& in, const Vec3d& p,
     };
 
     // First down to where the nearest boxes are: what is found there rules out most others.
-    std::uint32_t inner = 0;
-    for (std::size_t level = tree.levels(); --level > 0;) {
-        const TriangleTree::Node& node = tree.node(level, inner);
-        alignas(64) float squared[TriangleTree::kBoxes];
-        for (std::size_t lane = 0; lane < TriangleTree::kBoxes; lane += kPackLanes)
-            squared_distances(distances, node, lane).store(squared + lane);
-        const float* least = squared;
-        for (const float* s = squared; s != squared + TriangleTree::kBoxes; ++s)
-            if (*s < *least)
-                least = s;
-        inner = static_cast<std::uint32_t>(inner * TriangleTree::kBoxes +
-                                           static_cast<std::size_t>(least - squared));
+    std::uint32_t inner = 0, nodes = static_cast<std::uint32_t>(tree.top_nodes());
+    for (std::size_t level = tree.levels(); --level > 0; nodes = 1) {
+        float least = std::numeric_limits<float>::infinity();
+        std::uint32_t nearest = 0;
+        for (std::uint32_t node = inner; node < inner + nodes; ++node) {
+            alignas(64) float squared[kLeaf];
+            for (std::size_t lane = 0; lane < kLeaf; lane += kPackLanes)
+                squared_distances(distances, tree.node(level, node), lane).store(squared + lane);
+            for (std::uint32_t i = 0; i < kLeaf; ++i)
+                if (squared[i] < least) {
+                    least = squared[i];
+                    nearest = node * kLeaf + i;
+                }
+        }
+        inner = nearest;
     }
     add(inner, look_into(tree.node(0, inner)));
     take_all();

@@ -16,6 +16,11 @@ struct SurfacePlace {
     std::uint32_t triangle = 0;
     ClosestPoint closest;
 };
+/// Of equally near places that of the lower triangle goes first.
+inline bool nearer(const SurfacePlace& a, const SurfacePlace& b) {
+    return a.closest.squared != b.closest.squared ? a.closest.squared < b.closest.squared
+                                                  : a.triangle < b.triangle;
+}
 
 /// A tree and the triangles in its order.
 struct SearchedTriangles {

@@ -75,7 +75,7 @@ TriangleTree::TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangl
     do {
         boxes = (boxes + kBoxes - 1) / kBoxes;
         first_node_.push_back(nodes += boxes);
-    } while (boxes > 1);
+    } while (boxes > kTopNodes);
     nodes_.resize(nodes);
     for (Node& node : nodes_)
         for (std::size_t i = 0; i < kBoxes; ++i)
@@ -114,6 +114,8 @@ void TriangleTree::refit(std::span<const Leaf> leaves) {
         }
     }
     bounds_ = bounds_of(nodes_.back());
+    for (std::size_t i = 0; i + 1 < top_nodes(); ++i)
+        bounds_ = both(bounds_, bounds_of(node(levels() - 1, i)));
 }
 
 } // namespace mane

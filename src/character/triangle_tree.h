@@ -51,8 +51,9 @@ class TriangleTree {
     struct Group {
         std::uint32_t first, count; ///< of `order`
     };
-    static constexpr std::size_t kGroups = 64; ///< at most
-    static constexpr std::size_t kLevels = 9;  ///< at most
+    static constexpr std::size_t kGroups = 64;  ///< at most
+    static constexpr std::size_t kLevels = 8;   ///< at most
+    static constexpr std::size_t kTopNodes = 4; ///< at most: one above them would tell little
 
     TriangleTree() = default;
     TriangleTree(std::span<const std::array<std::uint32_t, 3>> triangles,
@@ -64,8 +65,12 @@ class TriangleTree {
     /// The triangles, in the tree's order.
     std::span<const std::uint32_t> order() const { return order_; }
     /// Levels of nodes; the boxes of level 0 are the triangles', sixteen by sixteen in the tree's
-    /// order, and those of the next the nodes' of the one before. The last has one node.
+    /// order, and those of the next the nodes' of the one before. The last has a few nodes.
     std::size_t levels() const { return first_node_.empty() ? 0 : first_node_.size() - 1; }
+    /// How many nodes the last level has.
+    std::size_t top_nodes() const {
+        return levels() == 0 ? 0 : first_node_.back() - first_node_[levels() - 1];
+    }
     const Node& node(std::size_t level, std::size_t i) const {
         return nodes_[first_node_[level] + i];
     }

@@ -125,9 +125,7 @@ class Detector {
             distance = std::sqrt(reach.place->closest.squared);
         }
         surface_.start().within(reach.from, distance + kAsNear, around_);
-        reach.place = *std::min_element(around_.begin(), around_.end(), [](auto& a, auto& b) {
-            return a.closest.squared < b.closest.squared;
-        });
+        reach.place = *std::min_element(around_.begin(), around_.end(), nearer);
         reach.clear = std::sqrt(reach.place->closest.squared);
         return true;
     }

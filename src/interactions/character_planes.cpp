@@ -1,7 +1,6 @@
 #include "interactions/character_planes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mane {
@@ -14,32 +13,6 @@ constexpr double kSame =
     0.966; // cos 15°: a plane leaning less than this from a nearer one is taken up by it
 constexpr double kAlike = 1e-3; // [m] as far as it is no farther off than this
 constexpr double kPinch = -0.5; // surfaces facing each other within 60° pinch
-
-/// The mesh's vertices at whose face, edge or corner a place is: 3, 2 or 1 of them.
-struct Feature {
-    std::array<std::uint32_t, 3> vertex;
-    std::size_t count = 0;
-};
-Feature feature(const Surface& surface, const SurfacePlace& place) {
-    const auto& corner = surface.mesh().triangles[place.triangle];
-    const Vec3d& b = place.closest.barycentric;
-    Feature f;
-    if (b.x != 0)
-        f.vertex[f.count++] = corner[0];
-    if (b.y != 0)
-        f.vertex[f.count++] = corner[1];
-    if (b.z != 0)
-        f.vertex[f.count++] = corner[2];
-    return f;
-}
-
-bool has(const std::array<std::uint32_t, 3>& corners, const Feature& f) {
-    for (std::size_t i = 0; i < f.count; ++i) {
-        if (std::find(corners.begin(), corners.end(), f.vertex[i]) == corners.end())
-            return false;
-    }
-    return true;
-}
 
 /// The normal of a contact's plane: the way from the surface to the point (the polygon's normal
 /// over a face, turning evenly round an edge or a corner), leaned toward the smooth normal, so that
@@ -69,10 +42,8 @@ const std::vector<NearPlane>& PlaneFinder::find(const Surface& surface, const Ap
     const double slide = approach.slide(block);
     found_.clear();
     planes_.clear();
-    surface.start().within(approach.position, approach.reach(block), around_);
+    surface.start().local(approach.position, approach.reach(block), rows_, around_);
     for (const SurfacePlace& place : around_) {
-        if (!locally_nearest(surface, place))
-            continue;
         const double distance = std::sqrt(place.closest.squared);
         const Vec3d outward = surface.start().normal(place.triangle);
         const Vec3d away =
@@ -99,20 +70,6 @@ const std::vector<NearPlane>& PlaneFinder::find(const Surface& surface, const Ap
     }
     halve_pinched_gaps();
     return planes_;
-}
-
-// A place on an edge or a corner counts where none of the triangles there comes nearer: of a convex
-// stretch that leaves the one nearest place, of a hollow one for each wall.
-bool PlaneFinder::locally_nearest(const Surface& surface, const SurfacePlace& place) const {
-    const Feature f = feature(surface, place);
-    if (f.count == 3)
-        return true;
-    for (const SurfacePlace& other : around_) {
-        if (other.closest.squared < place.closest.squared * (1 - 1e-9) &&
-            has(surface.mesh().triangles[other.triangle], f))
-            return false;
-    }
-    return true;
 }
 
 bool PlaneFinder::implied(const NearPlane& plane) const {

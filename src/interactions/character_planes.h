@@ -44,12 +44,12 @@ class PlaneFinder {
     const std::vector<NearPlane>& find(const Surface& surface, const Approach& approach);
 
   private:
-    bool locally_nearest(const Surface& surface, const SurfacePlace& place) const;
     bool reachable(const Surface& surface, const Approach& approach, const NearPlane& plane) const;
     bool implied(const NearPlane& plane) const;
     NearPlane blended(const NearPlane& plane) const;
     void halve_pinched_gaps();
 
+    PlaceRows rows_;
     std::vector<SurfacePlace> around_;
     std::vector<NearPlane> found_, planes_;
 };

@@ -158,29 +158,17 @@ void gather(const BoxTree& tree, const Box& box, NearBoxes& near) {
     });
 }
 
-HWY_INLINE hn::Vec<Whole> whole(std::uint32_t x) {
-    return hn::Set(Whole(), static_cast<std::int32_t>(x));
-}
-/// first, first + 1, … (Highway's own writes them one by one and waits for them.)
-HWY_INLINE hn::Vec<Whole> counting_from(std::uint32_t first) {
-    alignas(64) static constexpr std::int32_t kCounting[kLanes] = {0, 1, 2,  3,  4,  5,  6,  7,
-                                                                   8, 9, 10, 11, 12, 13, 14, 15};
-    return hn::Add(hn::Load(Whole(), kCounting), whole(first));
-}
-
 /// Points that wait for the test: those in the box, a few vectors of them.
 struct Waiting {
     static constexpr std::size_t kMost = 128;
     alignas(64) float x[kMost + 2 * kLanes], y[kMost + 2 * kLanes], z[kMost + 2 * kLanes];
-    std::int32_t point[kMost + 2 * kLanes]; // rank · 16 + code
+    std::uint32_t point[kMost + 2 * kLanes]; // rank · 16 + code
     std::size_t count = 0;
 };
 
-/// The lanes, from rank `first` on, that are none of a segment's own sections.
-HWY_INLINE Mask of_others(const SegmentVolume& volume, std::uint32_t first) {
-    const auto rank = counting_from(first);
-    const auto other = [&](std::uint32_t r) { return hn::Ne(rank, whole(r)); };
-    return {hn::RebindMask(Tag(), hn::And(other(volume.ranks[0]), other(volume.ranks[1])))};
+/// The lanes whose ranks are those of a segment's own sections.
+HWY_INLINE Mask own(const SegmentVolume& volume, Numbers rank) {
+    return either(rank == Numbers(volume.ranks[0]), rank == Numbers(volume.ranks[1]));
 }
 
 /// Points of one code from rank `first` on.
@@ -189,14 +177,15 @@ HWY_INLINE void wait_if_near(const SegmentVolume& volume, const Pack3& p, std::u
     const Mask boxed = in_box(volume.box, p);
     if (none(boxed))
         return;
-    const Mask near = both(boxed, of_others(volume, first));
+    const Numbers rank = Numbers::counting(first);
+    const Mask near = {hn::AndNot(own(volume, rank).m, boxed.m)};
     if (none(near))
         return;
     const Packing packing(near);
     packing.store(p.x, waiting.x + waiting.count);
     packing.store(p.y, waiting.y + waiting.count);
     packing.store(p.z, waiting.z + waiting.count);
-    packing.store(hn::Add(hn::ShiftLeft<4>(counting_from(first)), whole(code)),
+    packing.store(hn::Add(hn::ShiftLeft<4>(rank.v), Numbers(code).v),
                   waiting.point + waiting.count);
     waiting.count += packing.count();
 }
@@ -216,8 +205,7 @@ HWY_INLINE void test_waiting(const SegmentVolume& volume, const std::vector<Half
         packing.store(in.s, found.s.data() + found.count);
         packing.store(in.depth, found.depth.data() + found.count);
         packing.store(density_at(volume, in.s), found.density.data() + found.count);
-        packing.store(hn::LoadU(Whole(), waiting.point + first),
-                      reinterpret_cast<std::int32_t*>(found.point.data()) + found.count);
+        packing.store(Numbers::load_any(waiting.point + first), found.point.data() + found.count);
         found.count += packing.count();
     }
     waiting.count = 0;
@@ -287,6 +275,10 @@ void hulls(const ContactPoints& points, Box* hulls, std::size_t first, std::size
         least_most(points.y, box.low.y, box.high.y);
         least_most(points.z, box.low.z, box.high.z);
     }
+}
+
+HWY_INLINE hn::Vec<Whole> whole(std::uint32_t x) {
+    return hn::Set(Whole(), static_cast<std::int32_t>(x));
 }
 
 /// Vectors from wherever they are.

@@ -11,14 +11,15 @@ HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
 /// Packs the numbers whose bits are set, vector by vector.
-std::size_t pack_sixteen(std::uint32_t bits, const float* from, float* to, std::int32_t* whole_to) {
-    const hn::RebindToSigned<Tag> whole;
+std::size_t pack_sixteen(std::uint32_t bits, const float* from, float* to,
+                         std::uint32_t* whole_to) {
     std::size_t count = 0;
     for (std::size_t lane = 0; lane < 16; lane += kPackLanes) {
         const Packing packing(mask_of(bits >> lane));
         const Pack numbers = Pack::load(from + lane);
         packing.store(numbers, to + count);
-        packing.store(hn::ConvertTo(whole, numbers.v), whole_to + count);
+        const Numbers whole = hn::BitCast(Numbers::D(), hn::ConvertTo(Whole(), numbers.v));
+        packing.store(whole, whole_to + count);
         count += packing.count();
     }
     return count;
@@ -41,7 +42,7 @@ HWY_EXPORT(pack_sixteen);
 std::size_t wrongly_packed(const InstructionSet& set) {
     const ChosenInstructionSet chosen(set);
     alignas(64) float from[16], to[32];
-    std::int32_t whole_to[32];
+    std::uint32_t whole_to[32];
     for (int i = 0; i < 16; ++i)
         from[i] = static_cast<float>(i + 1);
     std::size_t wrong = 0;
