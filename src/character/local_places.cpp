@@ -97,6 +97,8 @@ HWY_EXPORT(kept_local);
 
 void keep_local(std::span<const std::array<std::uint32_t, 3>> triangles, PlaceRows& rows,
                 std::vector<SurfacePlace>& places) {
+    if (places.size() < 2)
+        return;
     static const auto best = [] {
         const ChosenInstructionSet chosen(instruction_set(""));
         return HWY_DYNAMIC_DISPATCH(kept_local)();
