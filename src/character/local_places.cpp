@@ -72,6 +72,8 @@ HWY_INLINE bool local(const Corners& corners, const ClosestPoint& closest, const
 void keep_local(std::span<const Corners> triangles, PlaceRows& rows,
                 std::vector<SurfacePlace>& places) {
     const std::size_t count = places.size();
+    if (count < 2)
+        return;
     fill(triangles, places, rows);
     std::size_t kept = 0;
     for (std::size_t n = 0; n < count; ++n)

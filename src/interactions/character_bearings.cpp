@@ -45,7 +45,7 @@ void CharacterBearings::settle(CarriedPoint& carried, std::uint32_t i,
     const Vec3d from(carried.start);
     carried.settled = true;
     if (!carried.found && carried.clear < radius) {
-        const auto place = surface.start().nearest(from, radius, carried.triangle);
+        const auto place = surface.start().nearest(from, radius);
         carried.found = place.has_value();
         carried.clear = place ? std::sqrt(place->closest.squared) : radius;
         if (place)

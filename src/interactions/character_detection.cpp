@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 namespace mane {
@@ -112,21 +111,19 @@ class Detector {
     }
 
     // Finds the nearest place, if it is no farther than `clear` tells, and leaves in around_ all
-    // that are nearly as near. The triangle that was nearest a block ago says how far to look for
-    // both at once; where it is no longer near, the nearest is looked for first.
+    // that are nearly as near. The triangle that was nearest a block ago tells how far to look;
+    // where it is no longer near, hardly anything is (one section in a hundred).
     bool look_near(std::uint32_t before, Reach& reach) {
-        double distance = std::numeric_limits<double>::infinity();
+        double distance = reach.clear;
         if (before != PosedSurface::kNoGuess)
-            distance = std::sqrt(surface_.start().place_on(before, reach.from).closest.squared);
-        if (distance > reach.clear) {
-            reach.place = surface_.start().nearest(reach.from, reach.clear);
-            if (!reach.place)
-                return false;
-            distance = std::sqrt(reach.place->closest.squared);
-        }
+            distance = std::min(
+                distance, std::sqrt(surface_.start().place_on(before, reach.from).closest.squared));
         surface_.start().within(reach.from, distance + kAsNear, around_);
-        reach.place = *std::min_element(around_.begin(), around_.end(), nearer);
-        reach.clear = std::sqrt(reach.place->closest.squared);
+        const auto nearest = std::min_element(around_.begin(), around_.end(), nearer);
+        if (nearest == around_.end() || nearest->closest.squared > reach.clear * reach.clear)
+            return false;
+        reach.place = *nearest;
+        reach.clear = std::sqrt(nearest->closest.squared);
         return true;
     }
 
