@@ -139,16 +139,16 @@ HWY_INLINE Pack without_tiny(Pack a) {
     return select_or_zero(absolute(a) > Pack(1e-15f), a);
 }
 
-/// 1/√x for normal x, relative error under 3e-7, without the divider, which is what the forces
-/// would wait for: Newton's iteration from the bits of x, the same on every machine.
+/// 1/√x for normal x, relative error under 2e-7, without the divider, which is what the forces
+/// would wait for; finite for x = 0. A first guess from the bits of x, a step of Newton's and one
+/// of third order, the same on every machine. Each is scaled so that its highest power needs no
+/// factor: up to (3/8)^⅕ / √x, and from there.
 HWY_INLINE Pack inverse_square_root(Pack x) {
     const hn::RebindToSigned<Tag> i;
     const auto bits = hn::BitCast(i, x.v);
-    Pack y = hn::BitCast(Tag(), hn::Sub(hn::Set(i, 0x5f375a86), hn::ShiftRight<1>(bits)));
-    const Pack half = x * Pack(0.5f);
-    for (int iteration = 0; iteration < 3; ++iteration)
-        y = y * (Pack(1.5f) - half * y * y);
-    return y;
+    const Pack guess = hn::BitCast(Tag(), hn::Sub(hn::Set(i, 0x5f01047e), hn::ShiftRight<1>(bits)));
+    const Pack y = guess * (Pack(1.659603f) - x * guess * guess), a = x * y * y;
+    return y * (Pack(2.28136706f) + a * (a - Pack(2.25160122f)));
 }
 
 /// The reciprocals of four numbers whose product is a normal number, by one division.
@@ -206,6 +206,34 @@ HWY_INLINE Pack3 select_or_zero(Mask m, Pack3 a) {
 }
 HWY_INLINE Pack3 without_tiny(Pack3 a) {
     return {without_tiny(a.x), without_tiny(a.y), without_tiny(a.z)};
+}
+
+/// A vector of a plane, by its parts along the plane's two axes.
+struct Pack2 {
+    Pack u, v;
+
+    static HWY_INLINE Pack2 load(const float* p) { return {Pack::load(p), Pack::load(p + 16)}; }
+    HWY_INLINE void store(float* p) const {
+        u.store(p);
+        v.store(p + 16);
+    }
+};
+
+HWY_INLINE Pack2 operator+(Pack2 a, Pack2 b) {
+    return {a.u + b.u, a.v + b.v};
+}
+HWY_INLINE Pack2 operator-(Pack2 a, Pack2 b) {
+    return {a.u - b.u, a.v - b.v};
+}
+HWY_INLINE Pack2 operator*(Pack2 a, Pack s) {
+    return {a.u * s, a.v * s};
+}
+HWY_INLINE Pack dot(Pack2 a, Pack2 b) {
+    return a.u * b.u + a.v * b.v;
+}
+/// The cross product's part across the plane.
+HWY_INLINE Pack wedge(Pack2 a, Pack2 b) {
+    return a.u * b.v - a.v * b.u;
 }
 
 #if HWY_TARGET == HWY_AVX3
@@ -379,35 +407,45 @@ HWY_INLINE Pack power(Pack x, Pack p) {
     return q * Pack(hn::BitCast(f, scale));
 }
 
-/// The bend between two unit vectors whose difference has the length 2√y (y = sin² of half the
-/// angle θ), see docs/model.md.
+/// A polynomial, the coefficient of the highest power first.
+template <std::size_t kCount>
+HWY_INLINE Pack polynomial(const float (&coefficients)[kCount], Pack x) {
+    Pack sum(coefficients[0]);
+    for (std::size_t i = 1; i < kCount; ++i)
+        sum = sum * x + Pack(coefficients[i]);
+    return sum;
+}
+
+/// The bend by the angle θ between two unit vectors, see docs/model.md.
 struct Bend {
-    Pack angle_over_chord; ///< G = (θ/2) / sin(θ/2)
-    Pack cotangent;        ///< q = (θ/2) cot(θ/2)
-    Pack remainder;        ///< H = (1 − q) / (4y)
+    Pack curvature; ///< θ / sin(θ/2)
+    Pack cotangent; ///< q = (θ/2) cot(θ/2)
+    Pack remainder; ///< (1 − q) / sin²(θ/2)
 };
-/// `cosine` = √(1 − y). Smooth at θ = 0 and finite up to 180°; relative error under 1e-6.
-HWY_INLINE Bend bend(Pack y, Pack cosine) {
-    // Up to 90° by polynomials in y; beyond, asin√y = π/2 − asin√(1−y) with the same polynomial.
-    const Mask sharp = y > Pack(0.5f);
-    const bool any_sharp = !hn::AllFalse(Tag(), sharp.m);
-    const Pack z = select(sharp, Pack(1.f) - y, y);
-    Pack g = Pack(0.123913497f);
-    for (float c : {-0.135916278f, 0.107400022f, -7.02057919e-3f, 0.0358142406f, 0.0440916158f,
-                    0.0750275701f, 0.166666135f, 1.f})
-        g = g * z + Pack(c);
-    Pack h = Pack(0.0380981266f);
-    for (float c : {-0.03194784f, 0.0257539973f, 4.44271322e-3f, 0.013344055f, 0.0190058537f,
-                    0.0333343446f, 0.0833333284f})
-        h = h * z + Pack(c);
-    if (!any_sharp)
-        return {g, g * cosine, h};
-    const Pack angle_over_chord =
-        select(sharp, (Pack(1.57079633f) - cosine * g) / square_root(larger(y, Pack(0.5f))), g);
-    const Pack cotangent = angle_over_chord * cosine;
-    const Pack remainder =
-        select(sharp, (Pack(1.f) - cotangent) / (Pack(4.f) * larger(y, Pack(0.5f))), h);
-    return {angle_over_chord, cotangent, remainder};
+/// From `cosine` = cos(θ/2), in which all three are smooth up to 180° and beyond. Relative error
+/// under 1e-6.
+HWY_INLINE Bend bend(Pack cosine) {
+    const Pack x = Pack(1.f) - cosine;
+    Pack g =
+        polynomial({0.07228555054f, 0.10835522162f, 0.2673093274f, 0.6666426806f, 2.000000142f}, x);
+    Pack r =
+        polynomial({0.08861926584f, 0.09302610844f, 0.1723515176f, 0.266632634f, 0.3333335305f}, x);
+    const Mask sharp = cosine < Pack(0.70710678f); // beyond 90°
+    if (!none(sharp)) [[unlikely]] {
+        g = select(sharp,
+                   polynomial({0.02271480918f, -0.06691514126f, 0.1051580858f, -0.0703025204f,
+                               0.061971814f, 0.03969720662f, 0.1160754462f, 0.2665217634f,
+                               0.666671177f, 1.999999977f},
+                              x),
+                   g);
+        r = select(
+            sharp,
+            polynomial({0.07243788897f, -0.219574157f, 0.331659694f, -0.2394384218f, 0.1530478873f,
+                        0.02395799282f, 0.1068826837f, 0.171013908f, 0.2666790701f, 0.333333273f},
+                       x),
+            r);
+    }
+    return {g, g * (Pack(0.5f) * cosine), r};
 }
 
 } // namespace mane::HWY_NAMESPACE

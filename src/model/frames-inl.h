@@ -11,17 +11,16 @@
 HWY_BEFORE_NAMESPACE();
 namespace mane::HWY_NAMESPACE {
 
-/// A segment's direction and length; a vanishing one has no direction, but every number stays
-/// finite.
+/// A segment's direction and length. A vanishing one has no direction, and its inverse length is 0:
+/// nothing turns it.
 struct Direction {
     Pack3 t;
     Pack length, inverse_length;
 };
 HWY_INLINE Direction direction(Pack3 from, Pack3 to) {
     const Pack3 e = to - from;
-    const Pack squared = larger(dot(e, e), Pack(1e-12f));
-    const Pack inverse = inverse_square_root(squared);
-    return {e * inverse, squared * inverse, inverse};
+    const Pack squared = dot(e, e), inverse = inverse_square_root(squared);
+    return {e * inverse, squared * inverse, select_or_zero(squared > Pack(1e-12f), inverse)};
 }
 
 /// The normal of the plane that bisects two segments (M7), and half the length of the sum of their
@@ -29,12 +28,21 @@ HWY_INLINE Direction direction(Pack3 from, Pack3 to) {
 /// segment before decides.
 struct Bisector {
     Pack3 normal;
-    Pack cosine;
+    Pack half_cosine;
+    Pack half_secant; ///< ½ / half_cosine, up to a bend of 150°
 };
+// The twist is carried in full through bends of up to 150° (docs/model.md, "Twist").
+inline constexpr float kLargestHalfSecant = 1.93185165f, kLargestTurn = 7.46410162f;
+
 HWY_INLINE Bisector bisector(Pack3 before, Pack3 after) {
     const Pack3 sum = before + after;
-    const Pack squared = dot(sum, sum), inverse = inverse_square_root(larger(squared, Pack(1e-6f)));
-    return {select(squared < Pack(1e-6f), before, sum * inverse), squared * inverse * Pack(0.5f)};
+    const Pack squared = dot(sum, sum), inverse = inverse_square_root(squared);
+    Bisector b{sum * inverse, squared * inverse * Pack(0.5f), inverse};
+    if (!none(inverse > Pack(kLargestHalfSecant))) [[unlikely]] {
+        b.normal = select(squared < Pack(1e-6f), before, b.normal);
+        b.half_secant = smaller(inverse, Pack(kLargestHalfSecant));
+    }
+    return b;
 }
 
 /// `u` made perpendicular to the unit vector `n`, at length one.
@@ -43,33 +51,57 @@ HWY_INLINE Pack3 perpendicular_unit(Pack3 u, Pack3 n) {
     return p * inverse_square_root(larger(dot(p, p), Pack(1e-12f)));
 }
 
-/// A section of the curve with its frame (M8), and the segment after it; past the tip, the segment
-/// before goes on straight.
-struct CurvePoint {
-    Direction after;
-    Pack half_cosine; ///< of the bend between the two segments
+/// A section's frame (M8).
+struct SectionAxes {
     Pack3 normal, u, v;
-    Pack turn; ///< 1 / (1 + n·n of the section before): how much the frame turns between the two
+
+    /// The part of a vector in the section's plane.
+    HWY_INLINE Pack2 in_plane(Pack3 a) const { return {dot(a, u), dot(a, v)}; }
+    /// The other way round, with a part along the normal.
+    HWY_INLINE Pack3 in_space(Pack2 across, Pack along) const {
+        return u * across.u + v * across.v + normal * along;
+    }
 };
-
-/// Section 0, whose frame is attached to the head: `axis` is its first axis but for rounding.
-HWY_INLINE CurvePoint curve_root(Pack3 x0, Pack3 x1, Pack3 axis) {
-    const Direction d = direction(x0, x1);
-    const Pack3 u = perpendicular_unit(axis, d.t);
-    return {d, Pack(1.f), d.t, u, cross(d.t, u), Pack(0.5f)};
+/// a + n × b and a − n × b, in the plane of the section whose normal is n.
+HWY_INLINE Pack2 add_turned(Pack2 a, Pack2 b) {
+    return {a.u - b.v, a.v + b.u};
+}
+HWY_INLINE Pack2 subtract_turned(Pack2 a, Pack2 b) {
+    return {a.u + b.v, a.v - b.u};
 }
 
-/// The section after `before`: its axis is that of the section before, turned by the least rotation
-/// that takes normal to normal (M8). The quaternion's rotation of a vector across its normal,
-/// written out: no trigonometry.
-HWY_INLINE CurvePoint curve_point(const CurvePoint& before, Direction after) {
-    const Bisector plane = bisector(before.after.t, after.t);
-    const Pack turn = Pack(1.f) / larger(Pack(1.f) + dot(before.normal, plane.normal), Pack(1e-6f));
-    const Pack3 u = perpendicular_unit(before.u - (before.normal + plane.normal) *
-                                                      (dot(before.u, plane.normal) * turn),
-                                       plane.normal);
-    return {after, plane.cosine, plane.normal, u, cross(plane.normal, u), turn};
+/// 1 / (1 + n·n'): how much the least rotation that takes n' to n turns what lies across n'.
+HWY_INLINE Pack turn_between(Pack3 before, Pack3 normal) {
+    return Pack(1.f) / larger(Pack(1.f) + dot(before, normal), Pack(1e-6f));
 }
+
+/// Section axes along a curve (M8): each section's first axis is that of the section before, turned
+/// by the least rotation that takes normal to normal. The quaternion's rotation of a vector across
+/// its normal, written out: no trigonometry. It keeps length and right angle but for rounding, so
+/// what is carried on need not wait for either to be restored.
+struct CarriedAxes {
+    SectionAxes axes;
+    Pack3 carried; ///< the first axis, as long as rounding has made it
+    Pack2 tilt;    ///< of the normal against the axes before: (n·u', n·v') / (1 + n·n')
+
+    /// Section 0, which is attached to the head: `axis` is its first axis but for rounding.
+    HWY_INLINE CarriedAxes(Pack3 normal, Pack3 axis) : carried(perpendicular_unit(axis, normal)) {
+        axes = {normal, carried, cross(normal, carried)};
+    }
+    HWY_INLINE void carry_to(Pack3 n) {
+        Pack turn = turn_between(axes.normal, n);
+        const Pack2 ahead{dot(carried, n), dot(axes.v, n)};
+        carried = carried - (axes.normal + n) * (ahead.u * turn);
+        Pack3 u = carried * (Pack(1.5f) - Pack(0.5f) * dot(carried, carried)); // Newton, from 1
+        const Mask sharp = turn > Pack(kLargestTurn);
+        if (!none(sharp)) [[unlikely]] { // there, rounding grows
+            carried = u = select(sharp, perpendicular_unit(carried, n), u);
+            turn = smaller(turn, Pack(kLargestTurn));
+        }
+        axes = {n, u, cross(n, u)};
+        tilt = ahead * turn;
+    }
+};
 
 } // namespace mane::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

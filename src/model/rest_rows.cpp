@@ -1,11 +1,22 @@
 #include "model/rest_rows.h"
 
+#include <algorithm>
+
 namespace mane {
+namespace {
+
+/// [m] that a natural radius has at least, padding included: a spring's force has its square over
+/// the radius now.
+constexpr float kLeastRadius = 1e-8f;
+
+} // namespace
 
 RestRows::RestRows(const Groom& groom, const Layout& layout)
     : rows_(layout.rows(), kColumns + 2 * groom.envelope_points),
       thickness_power_(layout.packets().size(), 1) {
     const std::uint32_t k = groom.envelope_points;
+    for (std::size_t r = 0; r < layout.rows(); ++r)
+        std::fill_n(rows_.row(r) + kColumns * kLanes, k * kLanes, kLeastRadius);
     for (std::size_t w = 0; w < groom.wisp_count(); ++w) {
         const std::uint32_t first = groom.first_section[w], sections = groom.sections(w);
         for (std::uint32_t i = 0; i < sections; ++i) {
@@ -32,14 +43,15 @@ RestRows::RestRows(const Groom& groom, const Layout& layout)
             if (layout.simulated(s)) {
                 release(slot, groom, s);
                 set(Rest::inverse_envelope_mass, 1 / double{groom.envelope_mass[s]});
-                set(Rest::radial, double{groom.radial_stiffness[s]});
+                set(Rest::half_radial, double{groom.radial_stiffness[s]} / 2);
                 set(Rest::radial_damping, double{groom.radial_damping[s]});
                 set(Rest::ring, double{groom.ring_stiffness[s]});
                 set(Rest::ring_damping, double{groom.ring_damping[s]});
             }
             for (std::uint32_t e = 0; e < k; ++e) {
-                rows_.at(slot, kColumns + e) = groom.rest_radius[s * k + e];
-                rows_.at(slot, kColumns + k + e) = groom.ring_length[s * k + e];
+                rows_.at(slot, kColumns + e) = std::max(groom.rest_radius[s * k + e], kLeastRadius);
+                rows_.at(slot, kColumns + k + e) =
+                    groom.ring_stiffness[s] * groom.ring_length[s * k + e];
             }
         }
     }

@@ -18,7 +18,7 @@ enum class Rest : std::uint32_t {
     inverse_mass_across, ///< 1/T in the section's plane, 0 where kinematic
     inverse_mass_extra,  ///< 1/T along the normal minus the above
     inverse_envelope_mass,
-    radial,
+    half_radial, ///< half the stiffness of the radial springs
     radial_damping,
     ring,
     ring_damping,
@@ -26,13 +26,15 @@ enum class Rest : std::uint32_t {
 };
 
 /// All that the forces need of the groom, in packet order: read every step, written once. After the
-/// `Rest` columns come K natural radii and K natural ring lengths.
+/// `Rest` columns come K natural radii, and for each ring spring its stiffness times its natural
+/// length.
 class RestRows {
   public:
     RestRows() = default;
     RestRows(const Groom& groom, const Layout& layout);
 
     static constexpr std::uint32_t kColumns = static_cast<std::uint32_t>(Rest::count);
+    std::uint32_t components() const { return rows_.components(); }
     const float* row(std::size_t r) const { return rows_.row(r); }
     float at(Slot slot, Rest column) const {
         return rows_.at(slot, static_cast<std::uint32_t>(column));

@@ -32,10 +32,9 @@ Kernels kernels_for(const std::string& name) {
     return kernels;
 }
 
-Rows curve_scratch(const Layout& layout) {
-    constexpr std::uint32_t kNumbers = 7;
+Rows force_scratch(const Layout& layout) {
     const std::size_t chunks = (layout.packets().size() + kPacketsPerChunk - 1) / kPacketsPerChunk;
-    return Rows(chunks * layout.most_rows(), kNumbers);
+    return Rows(chunks * layout.most_rows(), Scratch::count);
 }
 
 RootMotion::RootMotion(std::size_t packets) {

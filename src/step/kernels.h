@@ -22,11 +22,34 @@ struct RootMotion {
     explicit RootMotion(std::size_t packets);
 };
 
-/// Packets that one call of a kernel goes through at most: about 50 µs of forces, well above the
-/// cost of waking a thread. They share one scratch for their curves, which stays in the cache.
+/// Packets that one call of a kernel goes through at most: 10 to 30 µs of forces, well above the
+/// cost of waking a thread. They share one scratch, which stays in the cache.
 inline constexpr std::size_t kPacketsPerChunk = 8;
-/// Scratch for the curves of a layout's packets.
-Rows curve_scratch(const Layout& layout);
+
+/// What one pass over a packet's sections hands on to the next ones: where it begins in a row of
+/// scratch. A segment is in the row of the section before it.
+struct Scratch {
+    enum Column : std::uint32_t {
+        // of the segment
+        direction = 0,
+        length = 3,
+        inverse_length,
+        tension,
+        angular_velocity,
+        // of the section
+        half_cosine = angular_velocity + 3, ///< of half the bend
+        half_secant,                        ///< ½ / half_cosine
+        tilt,                               ///< of the normal
+        half_chord = tilt + 2,              ///< half of what the direction changes by
+        bending = half_chord + 2,           ///< moment
+        twist = bending + 2,                ///< moment
+        force,                              ///< of the skeleton's springs
+        springs = force + 3,                ///< forces of the envelope's, one per point
+        count = springs + kMaxEnvelopePoints
+    };
+};
+/// Scratch for a layout's packets.
+Rows force_scratch(const Layout& layout);
 
 /// All that the kernels of one step read and write.
 struct KernelData {
@@ -36,7 +59,7 @@ struct KernelData {
     const std::vector<HalfLine>& half_lines;
     State& state;
     SectionFrames& frames;
-    Rows& curve;     ///< scratch: see `curve_scratch`
+    Rows& scratch;   ///< see `force_scratch`
     Rows& root_axis; ///< u₀ now, one row per packet
     const Rows*
         wind; ///< the air's velocity at each skeleton point; null: `uniform_wind` everywhere

@@ -52,7 +52,8 @@ HWY_INLINE void advance_section(const KernelData& data, std::size_t row, std::si
         const Pack speed = Pack::load(rate), r = Pack::load(radius) + speed * h;
         const Mask flat = r < Pack(0.f); // M9: on its half line only
         select(flat, Pack(0.f), r).store(radius);
-        select(flat, Pack(0.f), speed).store(rate);
+        if (!none(flat)) [[unlikely]]
+            select(flat, Pack(0.f), speed).store(rate);
     }
 }
 

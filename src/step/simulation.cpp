@@ -11,7 +11,7 @@ Simulation::Simulation(const SimulationDesc& d, const Groom& g, const RunOptions
       wisp_detection(d.wisps, {}, options.instruction_set),
       wisp_response(d.wisps, options.instruction_set),
       character_contacts({}, options.instruction_set), frames(layout.rows()),
-      curve(curve_scratch(layout)), threads(options.threads), on_stage(options.on_stage) {
+      scratch(force_scratch(layout)), threads(options.threads), on_stage(options.on_stage) {
     if (!air.is_uniform())
         wind = Rows(layout.rows(), 3);
 }
@@ -23,7 +23,7 @@ KernelData Simulation::kernel_data() {
             .half_lines = lines,
             .state = state,
             .frames = frames,
-            .curve = curve,
+            .scratch = scratch,
             .root_axis = root_axis,
             .wind = air.is_uniform() ? nullptr : &wind,
             .uniform_wind = air.mean(),

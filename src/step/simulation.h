@@ -46,7 +46,7 @@ struct Simulation {
 
     // scratch
     SectionFrames frames;
-    Rows curve;
+    Rows scratch; ///< of the forces
     Rows wind; ///< [m/s] at every skeleton point, where the air is not uniform
     Threads threads;
     Statistics statistics;

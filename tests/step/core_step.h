@@ -14,7 +14,7 @@ inline constexpr float kStep = 1e-4f; // [s]
 struct CoreStep : CoreHair {
     explicit CoreStep(const Groom& g)
         : CoreHair(g), root_axis(layout.packets().size(), 3), roots(layout.packets().size()),
-          wind(layout.rows(), 3), curve(curve_scratch(layout)) {}
+          wind(layout.rows(), 3), scratch(force_scratch(layout)) {}
 
     using CoreHair::take;
     void take(const Frame& frame) {
@@ -43,7 +43,7 @@ struct CoreStep : CoreHair {
                 .half_lines = lines,
                 .state = state,
                 .frames = frames,
-                .curve = curve,
+                .scratch = scratch,
                 .root_axis = root_axis,
                 .wind = &wind,
                 .uniform_wind = {},
@@ -55,7 +55,7 @@ struct CoreStep : CoreHair {
     Rows root_axis;
     RootMotion roots;
     Rows wind;
-    Rows curve;
+    Rows scratch;
 };
 
 /// The twin of it, in the same air.

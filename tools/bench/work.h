@@ -9,14 +9,16 @@ struct StageWork {
     double bytes;      ///< [B] that cannot stay in registers or the first level of the cache
 };
 
-/// Arithmetic instructions in the two loops of `forces_of_packets<4, true>`, as they are compiled
-/// for AVX-512 (+ − × ÷ √, comparisons, larger, smaller; no moves and no bit operations): 107 of
-/// the way out, 463 of the way back. Bytes: position, velocity, radii and rates, and 23 columns of
-/// rest data are read; velocity, rates and frames are written.
-inline constexpr StageWork kForces{16.0 * (107 + 463), 64.0 * ((3 + 3 + 4 + 4) + 23 + (3 + 4 + 9))};
+/// Arithmetic instructions in the passes of `PacketForces<4, true>`, as they are compiled for
+/// AVX-512 (+ − × ÷ √, comparisons, larger, smaller; no moves and no bit operations): directions
+/// 24, stretch 24, normals 24, axes 49, springs 108, bending 75, skeleton forces 82, velocities 74.
+/// Bytes: position, velocity, radii and rates, and 23 columns of rest data are read; velocity,
+/// rates and frames are written.
+inline constexpr StageWork kForces{16.0 * (24 + 24 + 24 + 49 + 108 + 75 + 82 + 74),
+                                   64.0 * ((3 + 3 + 4 + 4) + 23 + (3 + 4 + 9))};
 
 /// `advance_section`: a product and a sum for each of seven numbers, and four comparisons.
-/// Position, velocity, radii and rates are read; all but the velocity are written.
-inline constexpr StageWork kPositions{16.0 * (7 * 2 + 4), 64.0 * ((3 + 3 + 4 + 4) + (3 + 4 + 4))};
+/// Position, velocity, radii and rates are read; position and radii are written.
+inline constexpr StageWork kPositions{16.0 * (7 * 2 + 4), 64.0 * ((3 + 3 + 4 + 4) + (3 + 4))};
 
 } // namespace mane::bench
