@@ -47,7 +47,7 @@ struct Simulation {
     // scratch
     SectionFrames frames;
     Rows scratch; ///< of the forces
-    Rows wind; ///< [m/s] at every skeleton point, where the air is not uniform
+    Rows wind;    ///< [m/s] at every skeleton point, where the air is not uniform
     Threads threads;
     Statistics statistics;
     std::function<void(const StageSpan&)> on_stage;
