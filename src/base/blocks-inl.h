@@ -55,16 +55,22 @@ template <typename D> HWY_INLINE hn::Vec<D> fetch(D d, const Four* base, const s
     }
 }
 
-/// Highway's look-up of lanes instead goes through memory in WebAssembly.
-template <int a, std::size_t kBlocks, typename Raw> HWY_INLINE Raw turned_blocks(Raw x) {
+/// In every block, the first three in a ring. (Highway's look-up of lanes goes through memory in
+/// WebAssembly; the vectors that it emulates, where Clang has none, are arrays.)
+template <int a, std::size_t kBlocks, typename V> HWY_INLINE V turned_blocks(V v) {
     constexpr int b = (a + 1) % 3, c = (a + 2) % 3;
+#if HWY_TARGET == HWY_EMU128
+    alignas(16) static constexpr std::int32_t kFrom[4] = {a, b, c, 3};
+    return hn::TableLookupLanes(v, hn::SetTableIndices(Tag(), kFrom));
+#else
     if constexpr (kBlocks == 1)
-        return __builtin_shufflevector(x, x, a, b, c, 3);
+        return V{__builtin_shufflevector(v.raw, v.raw, a, b, c, 3)};
     else if constexpr (kBlocks == 2)
-        return __builtin_shufflevector(x, x, a, b, c, 3, a + 4, b + 4, c + 4, 7);
+        return V{__builtin_shufflevector(v.raw, v.raw, a, b, c, 3, a + 4, b + 4, c + 4, 7)};
     else
-        return __builtin_shufflevector(x, x, a, b, c, 3, a + 4, b + 4, c + 4, 7, //
-                                       a + 8, b + 8, c + 8, 11, a + 12, b + 12, c + 12, 15);
+        return V{__builtin_shufflevector(v.raw, v.raw, a, b, c, 3, a + 4, b + 4, c + 4, 7, //
+                                         a + 8, b + 8, c + 8, 11, a + 12, b + 12, c + 12, 15)};
+#endif
 }
 
 struct Blocks {
@@ -96,7 +102,7 @@ struct Blocks {
     template <int kPlace> HWY_INLINE Blocks all() const { return {hn::Broadcast<kPlace>(v)}; }
     /// In every block, the first three in a ring, so many places on: y, z, x or z, x, y.
     template <int kPlaces> HWY_INLINE Blocks turned() const {
-        return {hn::Vec<Tag>{turned_blocks<kPlaces, kCount>(v.raw)}};
+        return {turned_blocks<kPlaces, kCount>(v)};
     }
     HWY_INLINE void store(Four* p) const { hn::Store(v, Tag(), reinterpret_cast<float*>(p)); }
 };
