@@ -1,4 +1,5 @@
 #include "base/random.h"
+#include "instruction_sets.h"
 #include "reference/random_groom.h"
 #include "reference/twin.h"
 #include "step/core_step.h"
@@ -12,6 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 // One step of the core against one step of the twin from the same random state, for every lane
@@ -56,19 +58,6 @@ Noise rounding_noise(const reference::Wisp& wisp, const reference::Surroundings&
         }
     }
     return noise;
-}
-
-std::vector<std::string> instruction_sets_here() {
-    std::vector<std::string> sets;
-    for (const char* name : {"avx512", "avx2", "sse4", "neon", "scalar"}) {
-        try {
-            kernels_for(name);
-            sets.emplace_back(name);
-        } catch (const InputError&) {
-            MESSAGE("skipped: no " << std::string(name) << " on this machine");
-        }
-    }
-    return sets;
 }
 
 } // namespace
@@ -125,8 +114,8 @@ TEST_CASE("every instruction set gives the same bits, step after step") {
         const Groom groom = random_groom(description);
         const Frame frame = random_state(description, groom, 6);
         std::vector<float> expected;
-        for (const std::string& set : instruction_sets_here()) {
-            const Kernels kernels = kernels_for(set);
+        for (const auto& [set, kernels] : test::on_all_sets(
+                 [](const std::string& name) { return std::pair(name, kernels_for(name)); })) {
             CHECK(std::string(kernels.instruction_set) == set);
             CoreStep core(groom);
             core.take(frame);
