@@ -132,7 +132,6 @@ void WispDetection::list_segments(const HairView& hair, const ContactPoints& poi
     for (std::uint32_t i = 0; i < segments_.size(); ++i)
         index_[segments_[i]] = i;
     first_met_.resize(segments_.size());
-    inside_.resize(segments_.size());
     list_.inside.resize(points.order.size());
 }
 
@@ -176,6 +175,7 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
     thread_local Scratch scratch;
     scratch.has_met.resize(std::max(scratch.has_met.size(), segments_.size()));
     scratch.contacts.clear();
+    scratch.counts.clear();
     Found& found = chunks_[chunk];
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
@@ -189,25 +189,24 @@ void WispDetection::find_chunk(const HairView& hair, const ContactPoints& points
         }
         const std::size_t before = scratch.contacts.size();
         take_points(points, i, scratch.inside[in_group], found, scratch);
-        inside_[i] = static_cast<std::uint32_t>(scratch.contacts.size() - before);
+        scratch.counts.push_back(scratch.contacts.size() - before);
         found.along.begin_segment();
         if (slender(points, segments_[i]))
             for (const std::uint32_t other : scratch.axes[next_slender++])
                 take_axis(hair, points, segments_[i], other, found);
     }
-    keep(scratch.contacts, chunk);
+    keep(scratch, chunk);
 }
 
-void WispDetection::keep(std::span<const PointContact> contacts, std::size_t chunk) {
+void WispDetection::keep(const Scratch& scratch, std::size_t chunk) {
     std::vector<PointContact>& kept = list_.found[chunk];
-    make_room(kept, contacts.size());
-    std::copy(contacts.begin(), contacts.end(), kept.begin());
+    make_room(kept, scratch.contacts.size());
+    std::copy(scratch.contacts.begin(), scratch.contacts.end(), kept.begin());
     std::span<const PointContact> left = kept;
-    const std::size_t first = chunk * kSegmentsPerChunk,
-                      last = std::min(segments_.size(), first + kSegmentsPerChunk);
-    for (std::size_t i = first; i < last; ++i) {
-        list_.inside[segments_[i]] = left.first(inside_[i]);
-        left = left.subspan(inside_[i]);
+    std::size_t segment = chunk * kSegmentsPerChunk;
+    for (const std::size_t count : scratch.counts) {
+        list_.inside[segments_[segment++]] = left.first(count);
+        left = left.subspan(count);
     }
 }
 

@@ -68,6 +68,7 @@ class WispDetection {
         std::array<std::vector<std::uint32_t>, kLanes> axes; ///< per slender one: that it may meet
         std::vector<std::uint8_t> has_met;                   ///< by the present segment
         std::vector<PointContact> contacts;                  ///< of the present chunk
+        std::vector<std::size_t> counts;                     ///< per segment of it: of those
     };
     struct Belongs {
         bool before = false, after = false;
@@ -93,7 +94,7 @@ class WispDetection {
     bool slid_along(std::uint32_t rank, std::uint32_t other) const;
     bool slides_along(const ContactPoints& points, const WispContact& contact, bool slid) const;
     void collect();
-    void keep(std::span<const PointContact> contacts, std::size_t chunk);
+    void keep(const Scratch& scratch, std::size_t chunk);
     void count_pairs(std::size_t chunk);
     std::span<const std::uint32_t> met_by(std::size_t index) const;
 
@@ -113,7 +114,6 @@ class WispDetection {
     ContactList list_;
     std::vector<std::uint32_t> index_;     ///< per rank: of its segment
     std::vector<std::uint32_t> first_met_; ///< per segment: in its chunk's `met`
-    std::vector<std::uint32_t> inside_;    ///< per segment: how many points
     std::uint64_t friction_contacts_ = 0;
     std::uint64_t intersecting_pairs_ = 0;
 };

@@ -59,7 +59,7 @@ struct Packet {
 };
 
 /// Which lane and row each section lives in. Wisps are sorted by their number of sections, so that
-/// packets are full.
+/// packets are full; of equally long ones those that lie together in the design are together.
 class Layout {
   public:
     static constexpr std::uint32_t kNoWisp = 0xffffffffu;
