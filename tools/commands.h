@@ -99,9 +99,10 @@ struct BenchOptions {
     std::string project = ".";     ///< holds scenes/ and bench/scenes/
     std::string json, csv;         ///< file, folder; empty: none
     std::string plain_core, twin;  ///< programs for core/plain and core/twin; empty: not measured
+    std::string kernel, plain_kernel; ///< programs for kernel/…; empty: not measured
     unsigned threads = 0;
     std::uint32_t runs = 5;
-    std::optional<std::uint32_t> frames;
+    std::optional<std::uint32_t> frames, preroll;
     bool list = false;
 };
 int bench(const BenchOptions& options);

@@ -202,6 +202,10 @@ void add_bench(CLI::App& app, Run& run) {
         ->capture_default_str();
     command->add_option("--frames", o.frames, "measure at most so many frames of each")
         ->check(CLI::Range(1, 1000000));
+    command
+        ->add_option("--preroll", o.preroll,
+                     "at most so many frames before them: a look, as hair is then jerked off")
+        ->check(CLI::Range(0, 1000000));
     command->add_option("--threads", o.threads,
                         "threads of cases on more than one; 0: as many as the machine has");
     command->add_option("--json", o.json, "write all runs and medians")->type_name("FILE.json");
@@ -211,6 +215,9 @@ void add_bench(CLI::App& app, Run& run) {
     command->add_option("--plain-core", o.plain_core,
                         "a mane built with MANE_SCALAR, for the case core/plain");
     command->add_option("--twin", o.twin, "tests/runs/bench_twin, for the case core/twin");
+    command->add_option("--kernel", o.kernel, "bench/bench_kernel, for the cases kernel/…");
+    command->add_option("--plain-kernel", o.plain_kernel,
+                        "one built with MANE_SCALAR, for kernel/…/plain");
     command->callback([&run] { run = [] { return bench(o); }; });
 
     static std::string what;

@@ -42,7 +42,7 @@ double Report::segments_per_wisp() const {
 }
 
 double Report::intersections_per_segment() const {
-    return ratio(per(statistics.intersections, statistics.wisp_detections),
+    return ratio(per(statistics.intersections, statistics.intersection_counts),
                  static_cast<double>(segments));
 }
 

@@ -51,6 +51,8 @@ std::vector<Column> difference(const Statistics& before, const Statistics& now) 
     table.push_back(count("wisp_detections", before.wisp_detections, now.wisp_detections));
     table.push_back(
         count("character_detections", before.character_detections, now.character_detections));
+    table.push_back(
+        count("intersection_counts", before.intersection_counts, now.intersection_counts));
     table.push_back(count("intersections", before.intersections, now.intersections));
     table.push_back(count("friction_contacts", before.friction_contacts, now.friction_contacts));
     table.push_back(count("collision_contacts", before.collision_contacts, now.collision_contacts));

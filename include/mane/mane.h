@@ -217,6 +217,7 @@ typedef struct mane_statistics {
     uint64_t steps, wisp_detections, character_detections;
     uint64_t intersections, friction_contacts, collision_contacts, sliding_contacts;
     uint64_t penetration_reactions;
+    uint64_t intersection_counts; /* at the first wisp detection of every frame */
 } mane_statistics;
 MANE_API mane_result mane_get_statistics(const mane_world* world, mane_statistics* statistics);
 /* A hash over every bit of the hair's state: the same on every machine. 0 for NULL. */

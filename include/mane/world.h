@@ -34,8 +34,9 @@ struct Statistics {
     std::uint64_t steps = 0;
     std::uint64_t wisp_detections = 0;
     std::uint64_t character_detections = 0;
+    std::uint64_t intersection_counts = 0; ///< at the first wisp detection of every frame
     std::uint64_t intersections =
-        0; ///< pairs (segment, other segment it intersects), summed over detections
+        0; ///< pairs (segment, other segment it intersects), summed over those counts
     std::uint64_t friction_contacts =
         0; ///< quasi-parallel point contacts, summed over detections (§4.1)
     std::uint64_t collision_contacts =

@@ -135,6 +135,7 @@ mane_result mane_get_statistics(const mane_world* world, mane_statistics* statis
         known.collision_contacts = s.collision_contacts;
         known.sliding_contacts = s.sliding_contacts;
         known.penetration_reactions = s.penetration_reactions;
+        known.intersection_counts = s.intersection_counts;
         fill_known_part(known, given(statistics, "statistics"));
     });
 }

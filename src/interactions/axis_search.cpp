@@ -16,13 +16,15 @@ constexpr float kOverRounding = 4e-6f;
 
 /// The axis of one segment, as others are held against it.
 struct Axis {
+    std::uint32_t rank = 0;
     Vec3 x, way, direction;
     float widest = 0;
     Box box;
 
     Axis() = default;
-    Axis(const ContactPoints& points, const AxisBunch* axes, std::uint32_t rank)
-        : direction(first_three(points.direction[rank])), box(segment_box(points, rank)) {
+    Axis(const ContactPoints& points, const AxisBunch* axes, std::uint32_t begin)
+        : rank(begin), direction(first_three(points.direction[rank])),
+          box(segment_box(points, rank)) {
         const AxisBunch& own = axes[rank / kLanes];
         const std::size_t lane = rank % kLanes;
         x = {own.x[0][lane], own.x[1][lane], own.x[2][lane]};
@@ -64,11 +66,23 @@ HWY_INLINE Mask nearest_between_ends(const AxisBunch& others, const Axis& axis, 
     return both(between, dot(gap, gap) <= reach * reach);
 }
 
+/// One bit per lane of a bunch: those that do not find the axis that begins at `rank` themselves.
+HWY_INLINE std::uint32_t left_to(std::uint32_t rank, std::uint32_t bunch, std::uint32_t slender) {
+    const std::uint32_t own = rank / kLanes, lane = rank % kLanes;
+    constexpr std::uint32_t kAll = (1u << kLanes) - 1;
+    const std::uint32_t lower = bunch < own ? kAll : bunch == own ? (1u << lane) - 1 : 0;
+    const std::uint32_t itself = bunch == own ? 1u << lane : 0;
+    return kAll & ~(lower & slender) & ~itself;
+}
+
 /// Appends the segments of a bunch that an axis may meet.
 HWY_INLINE void find_in_bunch(const ContactPoints& points, const AxisBunch* axes,
                               std::uint32_t bunch, const Axis& axis, float least_sine,
                               std::vector<std::uint32_t>& found) {
     const AxisBunch& there = axes[bunch];
+    const std::uint32_t candidates = left_to(axis.rank, bunch, there.slender);
+    if (candidates == 0)
+        return;
     for (std::size_t lane = 0; lane < kLanes; lane += kPackLanes) {
         const Mask overlaps = overlap(there.boxes, lane, axis.box);
         if (none(overlaps))
@@ -77,7 +91,8 @@ HWY_INLINE void find_in_bunch(const ContactPoints& points, const AxisBunch* axes
         if (none(meets))
             continue;
         const std::size_t first = bunch * kLanes + lane;
-        for (std::uint32_t bits = bits_of(both(meets, aslant(points, axis, first, least_sine)));
+        for (std::uint32_t bits =
+                 bits_of(both(meets, aslant(points, axis, first, least_sine))) & candidates >> lane;
              bits != 0; bits &= bits - 1)
             found.push_back(
                 static_cast<std::uint32_t>(first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)));
@@ -127,8 +142,9 @@ void AxisBunch::clear() {
     boxes.clear();
 }
 
-void AxisBunch::set(const ContactPoints& points, std::uint32_t rank) {
+void AxisBunch::set(const ContactPoints& points, std::uint32_t rank, bool is_slender) {
     const std::size_t lane = rank % kLanes;
+    slender |= std::uint32_t{is_slender} << lane;
     const Vec3 from = points.shape[rank].x, to = points.shape[points.order.next(rank)].x - from;
     boxes.set(lane, segment_box(points, rank));
     x[0][lane] = from.x, x[1][lane] = from.y, x[2][lane] = from.z;

@@ -98,7 +98,9 @@ void WispDetection::forget() {
             *sliding = {};
 }
 
-void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads) {
+void WispDetection::detect(const HairView& hair, const ContactPoints& points, Threads& threads,
+                           bool count_pairs) {
+    counts_pairs_ = count_pairs;
     if (index_.empty())
         list_segments(hair, points);
     place_boxes(points, threads);
@@ -107,7 +109,8 @@ void WispDetection::detect(const HairView& hair, const ContactPoints& points, Th
         place_axes(points, threads);
     begin_chunks();
     threads.run(chunks_.size(), [&](std::size_t c) { find_chunk(hair, points, c); });
-    threads.run(chunks_.size(), [&](std::size_t c) { count_pairs(c); });
+    if (count_pairs)
+        threads.run(chunks_.size(), [&](std::size_t c) { this->count_pairs(c); });
     collect();
 }
 
@@ -148,7 +151,7 @@ void WispDetection::place_axes(const ContactPoints& points, Threads& threads) {
     for (AxisBunch& bunch : axes_)
         bunch.clear();
     for (const std::uint32_t rank : segments_)
-        axes_[rank / kLanes].set(points, rank);
+        axes_[rank / kLanes].set(points, rank, slender(points, rank));
     threads.run_ranges(hulls_.size(), kBunchesPerChunk, [&](std::size_t first, std::size_t last) {
         for (std::size_t b = first; b < last; ++b)
             hulls_[b] = axes_[b].boxes.hull();
@@ -167,6 +170,7 @@ void WispDetection::begin_chunks() {
         found.along.clear();
         found.axes.clear();
         found.met.clear();
+        found.pairs = 0;
     }
 }
 
@@ -254,7 +258,8 @@ void WispDetection::take_points(const ContactPoints& points, std::size_t index,
             parallel ? WispContactKind::friction : WispContactKind::collision);
         if (parallel)
             found.points.number.push_back(place);
-        meet(points, belongs, at, found, scratch);
+        if (counts_pairs_)
+            meet(points, belongs, at, found, scratch);
     }
     for (std::size_t m = first_met_[index]; m < found.met.size(); ++m)
         scratch.has_met[found.met[m]] = false;
@@ -292,13 +297,10 @@ void WispDetection::meet(const ContactPoints& points, const Belongs& belongs, st
 }
 
 /// Ours, beyond the paper's footnote: axes that cross that of a slender segment.
-/// Each pair of segments of which one is slender once, from its slender side, or from the first of
-/// two. A contact is told from the earlier segment, whichever was slender.
+/// A contact is told from the earlier segment, whichever was slender.
 void WispDetection::take_axis(const HairView& hair, const ContactPoints& points, std::uint32_t rank,
                               std::uint32_t other, Found& found) const {
     const std::uint32_t a = points.order.section(rank), b = points.order.section(other);
-    if (a == b || (b < a && slender(points, other)))
-        return;
     const bool same_wisp = hair.layout.wisp_of(a) == hair.layout.wisp_of(b);
     if (same_wisp && (!ablation_.self_collision || std::max(a, b) - std::min(a, b) < 2))
         return;
@@ -380,7 +382,6 @@ std::span<const std::uint32_t> WispDetection::met_by(std::size_t index) const {
 /// earlier one.
 void WispDetection::count_pairs(std::size_t chunk) {
     Found& found = chunks_[chunk];
-    found.pairs = 0;
     const std::size_t first = chunk * kSegmentsPerChunk,
                       last = std::min(segments_.size(), first + kSegmentsPerChunk);
     for (auto i = static_cast<std::uint32_t>(first); i < last; ++i) {

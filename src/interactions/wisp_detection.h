@@ -28,8 +28,10 @@ class WispDetection {
     void forget();
 
     /// Finds all contacts anew, for points with velocities of now. A contact that was there at the
-    /// last call keeps its kind within the hysteresis.
-    void detect(const HairView& hair, const ContactPoints& points, Threads& threads);
+    /// last call keeps its kind within the hysteresis. `count_pairs`: whether intersecting_pairs()
+    /// is asked for.
+    void detect(const HairView& hair, const ContactPoints& points, Threads& threads,
+                bool count_pairs = true);
 
     /// Segment by segment, contacts of points in the order of places, bunch by bunch, those of axes
     /// in the order of ranks: nothing depends on how they were found.
@@ -37,7 +39,7 @@ class WispDetection {
     /// Of the contacts, those of quasi-parallel wisps.
     std::uint64_t friction_contacts() const { return friction_contacts_; }
     /// Pairs of segments of which one has a point inside the other, at the last call: the paper's
-    /// intersections, each once.
+    /// intersections, each once. 0 if they were not counted.
     std::uint64_t intersecting_pairs() const { return intersecting_pairs_; }
 
   private:
@@ -114,6 +116,7 @@ class WispDetection {
     ContactList list_;
     std::vector<std::uint32_t> index_;     ///< per rank: of its segment
     std::vector<std::uint32_t> first_met_; ///< per segment: in its chunk's `met`
+    bool counts_pairs_ = true;
     std::uint64_t friction_contacts_ = 0;
     std::uint64_t intersecting_pairs_ = 0;
 };

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t kRanksPerChunk = 512;
 constexpr std::uint32_t kQuad = 4;
+/// [1/s] As good as none, but a contact that slides needs some: 0 stands for a collision.
+constexpr float kLeastFriction = 1e-6f;
 
 std::uint32_t whole_quads(std::uint32_t contacts) {
     return (contacts + kQuad - 1) / kQuad * kQuad;
@@ -23,7 +25,7 @@ WispResponse::WispResponse(const WispContactDesc& desc, const std::string& instr
 }
 
 void WispResponse::change(const WispContactDesc& desc) {
-    answers_.friction = double{desc.friction};
+    answers_.friction = double{std::max(desc.friction, kLeastFriction)};
     answers_.sine_fade = sine_of_degrees(desc.fade_angle);
     answers_.sine_full = sine_of_degrees(double{desc.parallel_angle} * 2 / 3);
     answers_.sine_none = sine_of_degrees(desc.parallel_angle);

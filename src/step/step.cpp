@@ -20,11 +20,12 @@ void find_section_frames(Simulation& s) {
         [&](std::size_t first, std::size_t last) { s.kernels.section_frames(data, first, last); });
 }
 
-void detect_wisp_contacts(Simulation& s) {
+void detect_wisp_contacts(Simulation& s, bool count_intersections) {
     const StageTimer timer(s, Stage::wisp_detection);
-    s.wisp_detection.detect(s.hair(), s.contact_geometry.points(), s.threads);
+    s.wisp_detection.detect(s.hair(), s.contact_geometry.points(), s.threads, count_intersections);
     s.wisp_response.engage(s.hair(), s.contact_geometry, s.wisp_detection.list(), s.threads);
     ++s.statistics.wisp_detections;
+    s.statistics.intersection_counts += count_intersections;
     s.statistics.intersections +=
         2 * s.wisp_detection.intersecting_pairs(); // each from both of its segments
     const std::uint64_t friction = s.wisp_detection.friction_contacts();
@@ -82,7 +83,7 @@ void detect_interactions(Simulation& s, const StepPlace& place) {
     if (s.desc.wisps.mode != WispContactMode::off)
         s.contact_geometry.take(s.hair(), s.threads);
     if (place.detects_wisps && s.desc.wisps.mode != WispContactMode::off)
-        detect_wisp_contacts(s);
+        detect_wisp_contacts(s, place.counts_intersections);
     detect_character_contacts(s);
 }
 

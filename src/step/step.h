@@ -10,6 +10,7 @@ struct StepPlace {
     std::uint32_t steps = 1; ///< steps of the block
     bool detects_wisps =
         false; ///< contacts between wisps are looked for at the beginning of this block
+    bool counts_intersections = false; ///< then
 
     bool first() const { return index == 0; }
     bool last() const { return index + 1 == steps; }

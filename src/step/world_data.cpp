@@ -112,8 +112,10 @@ void World::Data::advance() {
         if (!simulation.held.empty())
             lead_held(time, seconds, static_cast<double>(begin) / schedule.steps(),
                       static_cast<double>(end) / schedule.steps());
-        StepPlace place{
-            .index = 0, .steps = end - begin, .detects_wisps = schedule.detects_wisps(b)};
+        StepPlace place{.index = 0,
+                        .steps = end - begin,
+                        .detects_wisps = schedule.detects_wisps(b),
+                        .counts_intersections = b == 0};
         for (; place.index < place.steps; ++place.index)
             step(simulation, place, step_time(begin + place.index));
     }

@@ -118,10 +118,9 @@ class Answer {
 
         // M24, M25: a viscous damper, weak in the wisps' plane and rigid across it as far as there
         // is a plane.
-        const double f =
-            -std::expm1(-static_cast<double>(desc_.friction) * contact.density * friction_time_);
-        if (f == 0)
-            return {};
+        // No drag at all would be an infinite viscosity.
+        const double f = std::max(1e-6, -std::expm1(-static_cast<double>(desc_.friction) *
+                                                    contact.density * friction_time_));
         const Vec3d across = cross(p.direction, s.direction), n = normalized(across);
         const double f_n = f + (1 - f) * plane_weight(length(across));
         const double mean = W.trace() / 3, sliding = sliding_weight(length(across));

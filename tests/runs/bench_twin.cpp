@@ -1,6 +1,7 @@
 // The twin as a case of `mane bench --twin`: how long its steps take on the contacts that the core
 // finds. A case comes as JSON, and what it took goes out as JSON.
-//   bench_twin bench-one '{"scene": "bench/scenes/wide-1000.toml", "rates": "", "most_frames": 0}'
+//   bench_twin bench-one '{"scene": "bench/scenes/wide-1000.toml", "rates": "", "most_frames": 3,
+//   "most_preroll": 3}'
 
 #include "mane/error.h"
 #include "mane/scene.h"
@@ -23,11 +24,11 @@ Json measure(const Json& c) {
     if (const std::string rates = c["rates"]; !rates.empty())
         apply_rates(scene, rates);
     const ScheduleDesc& schedule = scene.simulation.schedule;
-    const std::uint32_t most = c["most_frames"];
-    const auto limited = [&](std::uint32_t n) { return most > 0 ? std::min(n, most) : n; };
-    const std::uint32_t frames = limited(schedule.frames),
-                        before = limited(static_cast<std::uint32_t>(
-                            std::ceil(schedule.preroll * schedule.frame_rate)));
+    const std::uint32_t frames = std::min<std::uint32_t>(schedule.frames, c["most_frames"]),
+                        before =
+                            std::min<std::uint32_t>(static_cast<std::uint32_t>(std::ceil(
+                                                        schedule.preroll * schedule.frame_rate)),
+                                                    c["most_preroll"]);
     RunSetup setup = prepare(scene);
     TwinWorld twin(scene.simulation, setup.groom, setup.bodies);
     for (std::uint32_t i = 0; i < before; ++i)

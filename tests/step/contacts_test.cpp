@@ -95,6 +95,34 @@ TEST_CASE("contacts of wisps are told with their kinds, and only where wisps tou
     CHECK(std::string(contact_kind_name(contacts[0].kind)) == "friction");
 }
 
+TEST_CASE("intersections are counted once per frame, whatever the rates") {
+    const Mesh peg = make_peg(0.02f).mesh;
+    std::vector<WispDesign> wisps;
+    for (int i = 0; i < 2; ++i) {
+        StraightWisp shape;
+        shape.depth = 0.06f;
+        shape.radius = {0.02f, 0.02f};
+        wisps.push_back(design(shape, peg));
+        for (Vec3& p : wisps.back().position)
+            p.x += 0.015f * static_cast<float>(i);
+    }
+    for (const float rate : {24.f, 120.f, 1000.f}) {
+        SimulationDesc desc;
+        desc.gravity = {}; // nothing moves
+        desc.schedule.frame_rate = 24;
+        desc.schedule.wisp_rate = rate;
+        desc.schedule.character_rate = std::max(rate, 120.f);
+        World world(desc, make_groom(wisps, peg), {make_peg(0.02f)});
+        world.advance();
+        const std::uint64_t once = world.statistics().intersections;
+        CHECK(once > 0);
+        world.advance();
+        CHECK(world.statistics().intersections == 2 * once);
+        CHECK(world.statistics().intersection_counts == 2);
+        CHECK(world.statistics().wisp_detections == 2 * (rate < 100 ? 1 : rate < 200 ? 5 : 42));
+    }
+}
+
 TEST_CASE("penetration reactions are told one by one: which point, out of which body, by how far") {
     // Contacts that are answered only when they are found: between two detections the wisp falls
     // into the floor.

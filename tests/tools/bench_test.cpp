@@ -46,8 +46,9 @@ std::vector<std::string> lines(const std::string& text) {
 TEST_CASE("bench measures simulations, and what it says fits together") {
     Project project;
     const Result run = mane_command(
-        project, "bench --only styles/long/paper series/wide-100 core --runs 2 --frames 2 "
-                 "--threads 2 --json b.json --csv csv");
+        project,
+        "bench --only styles/long/paper series/wide-100 core --runs 2 --frames 2 --preroll 2 "
+        "--threads 2 --json b.json --csv csv");
     CHECK(run.err.empty());
     REQUIRE(run.code == 0);
     const Json all = Json::parse(project.read("b.json"));
@@ -153,10 +154,11 @@ TEST_CASE("a case that cannot run is said with its name") {
 
 TEST_CASE("a signal ends bench after the rounds that are whole, and its runs with it") {
     Project project;
-    const std::string command = "cd '" + project.path.string() +
-                                "' && timeout --preserve-status -s TERM 3 '" MANE_COMMAND
-                                "' bench --only styles/long/paper --runs 1000 --frames 1 "
-                                ">out.txt 2>err.txt";
+    const std::string command =
+        "cd '" + project.path.string() +
+        "' && timeout --preserve-status -s TERM 3 '" MANE_COMMAND
+        "' bench --only styles/long/paper --runs 1000 --frames 1 --preroll 0 "
+        ">out.txt 2>err.txt";
     const int status = std::system(command.c_str());
     CHECK(WEXITSTATUS(status) == 143);
     const std::string said = project.read("err.txt");

@@ -58,6 +58,24 @@ void add_core(const tool::BenchOptions& options, std::vector<Case>& cases) {
         }
 }
 
+/// Skeleton and envelope alone, by every instruction set and by a program without any.
+void add_kernels(const tool::BenchOptions& options, std::vector<Case>& cases) {
+    for (const auto& [name, scene] :
+         {std::pair<std::string, std::string>{"long", options.project + "/scenes/long.toml"},
+          {"wide-1000", series_scene(options, "wide-1000")}}) {
+        if (!options.kernel.empty())
+            for (const std::string set : {"avx512", "avx2", "sse4", "scalar"})
+                cases.push_back({.name = fmt::format("kernel/{}/{}", name, set),
+                                 .scene = scene,
+                                 .instruction_set = set,
+                                 .program = options.kernel});
+        if (!options.plain_kernel.empty())
+            cases.push_back({.name = fmt::format("kernel/{}/plain", name),
+                             .scene = scene,
+                             .program = options.plain_kernel});
+    }
+}
+
 bool begins(const std::string& name, const Case& c) {
     return c.name == name || c.name.starts_with(name + "/") || c.name.starts_with(name + "-");
 }
@@ -105,11 +123,14 @@ std::vector<Case> all_cases(const tool::BenchOptions& options) {
     add_styles(options, cases);
     add_series(options, cases);
     add_core(options, cases);
+    add_kernels(options, cases);
     add_strands(options, cases);
     cases.push_back(
         {.name = "cache", .kind = Kind::cache, .scene = series_scene(options, "wide-1000")});
-    for (Case& c : cases)
-        c.most_frames = options.frames.value_or(0);
+    for (Case& c : cases) {
+        c.most_frames = options.frames.value_or(c.most_frames);
+        c.most_preroll = options.preroll.value_or(c.most_preroll);
+    }
     return cases;
 }
 
@@ -127,10 +148,15 @@ std::vector<Case> selected(const std::vector<Case>& cases, const std::vector<std
 }
 
 Json to_json(const Case& c) {
-    return {{"name", c.name},       {"kind", static_cast<int>(c.kind)},
-            {"scene", c.scene},     {"rates", c.rates},
-            {"threads", c.threads}, {"instruction_set", c.instruction_set},
-            {"judge", c.judge},     {"most_frames", c.most_frames}};
+    return {{"name", c.name},
+            {"kind", static_cast<int>(c.kind)},
+            {"scene", c.scene},
+            {"rates", c.rates},
+            {"threads", c.threads},
+            {"instruction_set", c.instruction_set},
+            {"judge", c.judge},
+            {"most_frames", c.most_frames},
+            {"most_preroll", c.most_preroll}};
 }
 
 Case from_json(const Json& json) {
@@ -141,6 +167,7 @@ Case from_json(const Json& json) {
             .instruction_set = json["instruction_set"],
             .threads = json["threads"],
             .most_frames = json["most_frames"],
+            .most_preroll = json["most_preroll"],
             .judge = json["judge"]};
 }
 

@@ -19,8 +19,8 @@ struct Case {
     std::string rates = {};           ///< preset; empty: the scene's own
     std::string instruction_set = {}; ///< empty: the best
     unsigned threads = 1;
-    std::uint32_t most_frames = 0; ///< 0: the scene's own number
-    std::string program = {};      ///< that runs it; empty: this one
+    std::uint32_t most_frames = ~0u, most_preroll = ~0u; ///< frames, if the scene has more
+    std::string program = {};                            ///< that runs it; empty: this one
     bool judge = false; ///< measure the quality too: once, since every run gives the same bits
 
     std::string group() const { return name.substr(0, name.find('/')); }

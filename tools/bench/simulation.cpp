@@ -23,11 +23,9 @@ SceneDesc scene_of(const Case& c) {
     if (!c.rates.empty())
         apply_rates(scene, c.rates);
     ScheduleDesc& schedule = scene.simulation.schedule;
-    if (c.most_frames > 0) { // of the preroll too
-        schedule.frames = std::min(schedule.frames, c.most_frames);
-        schedule.preroll =
-            std::min(schedule.preroll, static_cast<float>(c.most_frames) / schedule.frame_rate);
-    }
+    schedule.frames = std::min(schedule.frames, c.most_frames);
+    schedule.preroll =
+        std::min(schedule.preroll, static_cast<float>(c.most_preroll) / schedule.frame_rate);
     return scene;
 }
 
@@ -56,6 +54,7 @@ Statistics difference(const Statistics& now, const Statistics& before) {
     d.steps -= before.steps;
     d.wisp_detections -= before.wisp_detections;
     d.character_detections -= before.character_detections;
+    d.intersection_counts -= before.intersection_counts;
     d.intersections -= before.intersections;
     d.friction_contacts -= before.friction_contacts;
     d.collision_contacts -= before.collision_contacts;
@@ -193,8 +192,9 @@ class Run {
         return {{"friction", ratio(static_cast<double>(did_.friction_contacts), detections)},
                 {"collision", ratio(static_cast<double>(did_.collision_contacts), detections)},
                 {"sliding", character_contacts()},
-                {"intersections_per_segment", ratio(static_cast<double>(did_.intersections),
-                                                    detections * static_cast<double>(segments()))}};
+                {"intersections_per_segment",
+                 ratio(static_cast<double>(did_.intersections),
+                       static_cast<double>(did_.intersection_counts * segments()))}};
     }
 
     const Case& case_;

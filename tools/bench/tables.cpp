@@ -171,6 +171,16 @@ std::string ratios(const Rows& rows) {
                   multiple("frame", "/frame_ms", first)});
 }
 
+/// Per row of sixteen cross-sections.
+std::string kernels(const Rows& rows, const Json* machine) {
+    return table("skeleton and envelope alone: ns per packet row and step", rows,
+                 {value("packet rows", "/packet_rows"), value("forces", "/cost/forces_per_packet"),
+                  of_operations(machine, "forces_per_packet", kForces),
+                  of_bandwidth(machine, "forces_per_packet", kForces),
+                  value("positions", "/cost/positions_per_packet"),
+                  value("together", "/cost/kernel_per_packet")});
+}
+
 std::string machine_table(const Json& m) {
     std::string text = "\nmachine: billions of operations a second, one thread (all " +
                        m["threads"].dump() + ")\n";
@@ -221,6 +231,8 @@ std::string to_tables(const Circumstances& where, const std::vector<Result>& res
             if (std::string_view(group) == "core")
                 text += ratios(rows);
         }
+    if (const Rows rows = group_of(results, "kernel"); !rows.empty())
+        text += kernels(rows, machine);
     if (const Rows rows = group_of(results, "strands"); !rows.empty())
         text += strands_table(rows);
     if (const Rows rows = group_of(results, "cache"); !rows.empty())
