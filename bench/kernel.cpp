@@ -1,8 +1,7 @@
 // Skeleton and envelope alone as a case of `mane bench --kernel`: forces and positions step after
 // step, on a groom that hangs from a still head and touches nothing, so that nothing but their own
 // rows is in the caches. A case comes as JSON, and what it took goes out as JSON.
-//   bench_kernel bench-one '{"scene": "scenes/short.toml", "instruction_set": "", "most_frames":
-//   0}'
+//   bench_kernel bench-one '{"scene": "long.toml", "instruction_set": "", "most_frames": 24}'
 
 #include "base/hash.h"
 #include "mane/error.h"

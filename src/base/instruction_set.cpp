@@ -23,11 +23,10 @@ std::int64_t sets_here() {
 #endif
 }
 
-std::string names_of(std::int64_t targets) {
+std::string list_of(const std::vector<std::string>& names) {
     std::string list;
-    for (const InstructionSet& set : kSets)
-        if (set.target & targets)
-            list += (list.empty() ? "" : ", ") + std::string(set.name);
+    for (const std::string& name : names)
+        list += (list.empty() ? "" : ", ") + name;
     return list;
 }
 
@@ -43,7 +42,15 @@ InstructionSet instruction_set(const std::string& name) {
         if ((set.target & sets_here()) && (name.empty() || name == set.name))
             return set;
     throw InputError("instruction set \"" + name + "\" is not available here; this machine has " +
-                     names_of(sets_here()));
+                     list_of(instruction_sets()));
+}
+
+std::vector<std::string> instruction_sets() {
+    std::vector<std::string> names;
+    for (const InstructionSet& set : kSets)
+        if (set.target & sets_here())
+            names.push_back(set.name);
+    return names;
 }
 
 ChosenInstructionSet::ChosenInstructionSet(const InstructionSet& set) {

@@ -97,6 +97,29 @@ TEST_CASE("bench measures simulations, and what it says fits together") {
     CHECK(run.out.find("times the first one's time") != std::string::npos);
 }
 
+TEST_CASE(
+    "bench measures skeleton and envelope alone, with the same bits for any instruction set") {
+    Project project;
+    const Result run = mane_command(
+        project,
+        "bench --only kernel --runs 2 --frames 1 --json b.json --kernel " MANE_BENCH_KERNEL);
+    CHECK(run.err.empty());
+    REQUIRE(run.code == 0);
+    const Json all = Json::parse(project.read("b.json"));
+    const Json scalar = medians(all, "kernel/long/scalar");
+    CHECK(scalar["packet_rows"] == 4.0); // eight wisps of four segments are half a packet
+    CHECK(all["cases"].size() >= 4);
+    for (const Json& c : all["cases"]) { // all scenes are the small one
+        const Json& m = c["medians"];
+        CHECK(c["name"].get<std::string>().ends_with(m["instruction_set"].get<std::string>()));
+        CHECK(m["state_hash"] == scalar["state_hash"]);
+        CHECK(m["cost"]["forces_per_packet"].get<double>() > 0);
+        CHECK(m["cost"]["positions_per_packet"].get<double>() > 0);
+    }
+    CHECK(run.out.find("skeleton and envelope alone") != std::string::npos);
+    CHECK(mane_command(project, "bench --only kernel").code == 2); // no program, no such cases
+}
+
 TEST_CASE("bench measures strands, cache and the machine") {
     Project project;
     const Result run =

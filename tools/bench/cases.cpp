@@ -1,5 +1,6 @@
 #include "bench/cases.h"
 
+#include "base/instruction_set.h"
 #include "mane/error.h"
 #include "mane/fields.h"
 
@@ -43,7 +44,7 @@ void add_series(const tool::BenchOptions& options, std::vector<Case>& cases) {
 /// The same run by every instruction set, and by programs that were built in other ways.
 void add_core(const tool::BenchOptions& options, std::vector<Case>& cases) {
     Case c{.scene = series_scene(options, "wide-1000")};
-    for (const std::string set : {"avx512", "avx2", "sse4", "scalar"}) {
+    for (const std::string& set : instruction_sets()) {
         c.name = "core/" + set;
         c.instruction_set = set;
         cases.push_back(c);
@@ -64,7 +65,7 @@ void add_kernels(const tool::BenchOptions& options, std::vector<Case>& cases) {
          {std::pair<std::string, std::string>{"long", options.project + "/scenes/long.toml"},
           {"wide-1000", series_scene(options, "wide-1000")}}) {
         if (!options.kernel.empty())
-            for (const std::string set : {"avx512", "avx2", "sse4", "scalar"})
+            for (const std::string& set : instruction_sets())
                 cases.push_back({.name = fmt::format("kernel/{}/{}", name, set),
                                  .scene = scene,
                                  .instruction_set = set,
