@@ -1,10 +1,10 @@
 // Skeleton and envelope alone as a case of `mane bench --kernel`: forces and positions step after
 // step, on a groom that hangs from a still head and touches nothing, so that nothing but their own
-// rows is in the caches. A case comes as JSON, and what it took goes out as JSON.
+// rows is in the caches.
 //   bench_kernel bench-one '{"scene": "long.toml", "instruction_set": "", "most_frames": 24}'
 
 #include "base/hash.h"
-#include "mane/error.h"
+#include "case_program.h"
 #include "mane/scene.h"
 #include "mane/setup.h"
 #include "step/placement.h"
@@ -122,13 +122,5 @@ Json measure(const Json& c) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3)
-        return std::fprintf(stderr, "usage: bench_kernel bench-one CASE\n"), 2;
-    try {
-        std::printf("%s\n", measure(Json::parse(argv[2])).dump().c_str());
-        return 0;
-    } catch (const std::exception& error) {
-        std::printf("%s\n", Json(error.what()).dump().c_str());
-        return dynamic_cast<const InputError*>(&error) ? 2 : 1;
-    }
+    return mane::run_case(argc, argv, measure);
 }

@@ -1,9 +1,8 @@
 // The twin as a case of `mane bench --twin`: how long its steps take on the contacts that the core
-// finds. A case comes as JSON, and what it took goes out as JSON.
-//   bench_twin bench-one '{"scene": "bench/scenes/wide-1000.toml", "rates": "", "most_frames": 3,
-//   "most_preroll": 3}'
+// finds.
+//   bench_twin bench-one '{"scene": "a.toml", "rates": "", "most_frames": 3, "most_preroll": 3}'
 
-#include "mane/error.h"
+#include "case_program.h"
 #include "mane/scene.h"
 #include "mane/setup.h"
 #include "step/twin_world.h"
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace {
 
@@ -48,13 +46,5 @@ Json measure(const Json& c) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3)
-        return std::fprintf(stderr, "usage: bench_twin bench-one CASE\n"), 2;
-    try {
-        std::printf("%s\n", measure(Json::parse(argv[2])).dump().c_str());
-        return 0;
-    } catch (const std::exception& error) {
-        std::printf("%s\n", Json(error.what()).dump().c_str());
-        return dynamic_cast<const InputError*>(&error) ? 2 : 1;
-    }
+    return mane::run_case(argc, argv, measure);
 }

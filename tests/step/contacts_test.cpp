@@ -30,6 +30,20 @@ LoneWisp lying_wisp() {
     return lone;
 }
 
+/// Wisps of 2 cm radius side by side, so far along x [m].
+Groom wide_wisps(const Mesh& peg, const std::vector<float>& along) {
+    std::vector<WispDesign> wisps;
+    for (const float x : along) {
+        StraightWisp shape;
+        shape.depth = 0.06f;
+        shape.radius = {0.02f, 0.02f};
+        wisps.push_back(design(shape, peg));
+        for (Vec3& p : wisps.back().position)
+            p.x += x;
+    }
+    return make_groom(wisps, peg);
+}
+
 } // namespace
 
 TEST_CASE("what a floor pushes back is the weight that lies on it") {
@@ -66,18 +80,9 @@ TEST_CASE("what a floor pushes back is the weight that lies on it") {
 
 TEST_CASE("contacts of wisps are told with their kinds, and only where wisps touch") {
     const Mesh peg = make_peg(0.02f).mesh;
-    std::vector<WispDesign> wisps;
-    for (int i = 0; i < 3; ++i) {
-        StraightWisp shape;
-        shape.depth = 0.06f;
-        shape.radius = {0.02f, 0.02f};
-        WispDesign wisp = design(shape, peg);
-        for (Vec3& p : wisp.position)
-            p.x += 0.015f * static_cast<float>(i == 2 ? 20 : i); // two neighbours, one apart
-        wisps.push_back(wisp);
-    }
     SimulationDesc desc;
-    World world(desc, make_groom(wisps, peg), {make_peg(0.02f)});
+    const Groom groom = wide_wisps(peg, {0, 0.015f, 0.3f}); // two neighbours, one apart
+    World world(desc, groom, {make_peg(0.02f)});
     world.advance();
     const std::vector<Contact> contacts = world.contacts();
     CHECK_FALSE(contacts.empty());
@@ -97,22 +102,14 @@ TEST_CASE("contacts of wisps are told with their kinds, and only where wisps tou
 
 TEST_CASE("intersections are counted once per frame, whatever the rates") {
     const Mesh peg = make_peg(0.02f).mesh;
-    std::vector<WispDesign> wisps;
-    for (int i = 0; i < 2; ++i) {
-        StraightWisp shape;
-        shape.depth = 0.06f;
-        shape.radius = {0.02f, 0.02f};
-        wisps.push_back(design(shape, peg));
-        for (Vec3& p : wisps.back().position)
-            p.x += 0.015f * static_cast<float>(i);
-    }
+    const Groom groom = wide_wisps(peg, {0, 0.015f});
     for (const float rate : {24.f, 120.f, 1000.f}) {
         SimulationDesc desc;
         desc.gravity = {}; // nothing moves
         desc.schedule.frame_rate = 24;
         desc.schedule.wisp_rate = rate;
         desc.schedule.character_rate = std::max(rate, 120.f);
-        World world(desc, make_groom(wisps, peg), {make_peg(0.02f)});
+        World world(desc, groom, {make_peg(0.02f)});
         world.advance();
         const std::uint64_t once = world.statistics().intersections;
         CHECK(once > 0);

@@ -1,3 +1,4 @@
+#include "base/instruction_set.h"
 #include "plain_strand.h"
 
 #include "mane/error.h"
@@ -33,17 +34,6 @@ Hair hair_for(unsigned number) {
     recipe.sections = 3 + number * 5 % 37;
     recipe.bend = 0.4;
     return random_hair(recipe, number);
-}
-
-std::vector<std::string> instruction_sets() {
-    std::vector<std::string> found;
-    for (const char* name : {"avx512", "avx2", "sse4", "neon", "wasm", "scalar"})
-        try {
-            StrandShape(hair_for(0).groom, desc_for(0, 1), 5, 1, {.instruction_set = name});
-            found.push_back(name);
-        } catch (const InputError&) { // not on this machine
-        }
-    return found;
 }
 
 struct Drawn {

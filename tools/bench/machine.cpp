@@ -1,12 +1,12 @@
 #include "bench/machine_kernels.h"
 #include "bench/measure.h"
-#include "mane/error.h"
 
 #include "base/aligned.h"
+#include "base/instruction_set.h"
 
 #include <algorithm>
 #include <functional>
-#include <optional>
+#include <string>
 #include <thread>
 
 namespace mane::bench {
@@ -94,24 +94,17 @@ Json triads(const MachineKernels& kernels, unsigned threads) {
 
 Json measure_machine(const Case& c) {
     Json one = Json::object(), all = Json::object();
-    std::optional<MachineKernels> best;
-    for (const char* set : {"avx512", "avx2", "sse4", "neon", "scalar"}) {
-        std::optional<MachineKernels> kernels;
-        try {
-            kernels = machine_kernels(set);
-        } catch (const InputError&) {
-            continue; // not on this machine
-        }
-        one[set] = arithmetic(*kernels, 1);
-        all[set] = arithmetic(*kernels, c.threads);
-        if (!best)
-            best = kernels;
+    for (const std::string& set : instruction_sets()) {
+        const MachineKernels kernels = machine_kernels(set);
+        one[set] = arithmetic(kernels, 1);
+        all[set] = arithmetic(kernels, c.threads);
     }
+    const MachineKernels best = machine_kernels("");
     return {{"threads", c.threads},
             {"gflops", one},
             {"gflops_all_threads", all},
-            {"triad_gb_per_second", triads(*best, 1)},
-            {"triad_gb_per_second_all_threads", triads(*best, c.threads)},
+            {"triad_gb_per_second", triads(best, 1)},
+            {"triad_gb_per_second_all_threads", triads(best, c.threads)},
             {"peak_mb", peak_megabytes()}};
 }
 
